@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import bpy
 import numpy as np
@@ -152,3 +153,38 @@ def test_several_parts_have_walls_of_their_own() -> None:
     assert len(result.data.splines) == 2
     assert scenes.pieces_of(maze(result, doors="NONE").data) == 2
     assert scenes.pieces_of(maze(result).data) == 3, "one of them has two doors"
+
+
+def disc(radius: float, rings: int) -> bpy.types.Object:
+    vertices, faces = [(0.0, 0.0, 0.0)], []
+    for ring in range(1, rings + 1):
+        for k in range(48):
+            angle = 2.0 * math.pi * k / 48
+            away = radius * ring / rings
+            vertices.append((away * math.cos(angle), away * math.sin(angle), 0.0))
+    for k in range(48):
+        faces.append((0, 1 + k, 1 + (k + 1) % 48))
+        for ring in range(rings - 1):
+            a, b = 1 + 48 * ring, 1 + 48 * (ring + 1)
+            faces.append((a + k, b + k, b + (k + 1) % 48, a + (k + 1) % 48))
+    return scenes.mesh_object("Disc", vertices, faces)
+
+
+@pytest.mark.parametrize("spacing", [0.11, 0.13, 0.15, 0.17])
+def test_a_maze_on_a_disc_leads_through_its_middle(spacing: float, capfd) -> None:
+    result = scenes.fill(disc(1.0, 12), spacing)
+    walls = maze(result, solution=True)
+    way = bpy.data.objects[f"{walls.name} Solution"]
+    ((points, _cyclic),) = scenes.world_splines(way)
+    # By the straight line, three quarters of the disc; by angle, more than a quarter turn.
+    assert np.linalg.norm(points[0] - points[-1]) > 1.4
+    steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    rim = np.linalg.norm(points[1:, :2], axis=1) > 1.0 - 2.0 * spacing
+    assert steps[rim].sum() < 0.6 * steps.sum()
+    assert steps.sum() > 12.0 * spacing
+    said = capfd.readouterr().out
+    found = re.search(r"(\d+) spacings from door to door, (\d+) turns?, (\d+) dead ends?", said)
+    assert found, said
+    length, turns, ends = (int(number) for number in found.groups())
+    assert length == pytest.approx(steps.sum() / spacing, abs=1.0)
+    assert 2 <= turns <= length and 1 <= ends < 200

@@ -20,6 +20,11 @@ from .cut import is_parted
 # In spacings: a door to the outside is no farther from the boundary of the surface than this. Of a
 # way, how much dearer it is close to a wall than in the middle of a corridor.
 _FROM_BORDER, _AT_WALL = 1.0, 0.1
+# Doors at a boundary are chosen among so many places, and so far apart at least, as a share of the
+# widest two. What is farther from the boundary than this, in spacings, is the middle.
+_PLACES, _APART, _MIDDLE = 64, 0.8, 2.5
+# In spacings: what is shorter is no corridor. The angle of a turn, and over which length it is.
+_CORRIDOR, _TURN, _STEP = 1.0, np.radians(60.0), 1.0
 
 
 class NoMaze(ValueError):
@@ -37,6 +42,21 @@ class Doors:
     region: int
     first: int
     second: int
+
+
+@dataclass(frozen=True)
+class Hardness:
+    """How hard a maze is: the length of its way in spacings, how often that turns, and how many
+    corridors lead nowhere."""
+
+    length: float
+    turns: int
+    dead_ends: int
+
+    def __str__(self) -> str:
+        turns = "1 turn" if self.turns == 1 else f"{self.turns:,} turns"
+        ends = "1 dead end" if self.dead_ends == 1 else f"{self.dead_ends:,} dead ends"
+        return f"{self.length:.0f} spacings from door to door, {turns}, {ends}"
 
 
 class Maze:
@@ -64,8 +84,11 @@ class Maze:
         self.region, self._other = (second, first) if swapped else (first, second)
 
     def farthest_doors(self) -> Doors:
-        """Two doors with the longest way between them; at the boundary where there is one."""
+        """Two doors with the longest way between them. At the boundary where there is one: there
+        they are far apart, and what counts of the way is what leads through the middle."""
         candidates = self._candidates()
+        if len(self._border) and len(candidates) > 2:
+            return self._doors_at_border(candidates)
         graph = self._graph(self.region)
         start = before = int(candidates[0])
         for _ in range(2):  # corridors are a tree: what is farthest from anywhere is an end of it
@@ -74,6 +97,86 @@ class Maze:
             reached = np.where(np.isfinite(reached), reached, -1.0)
             start, before = int(candidates[np.argmax(reached)]), start
         return Doors(self.strand, self.region, *sorted((before, start)))
+
+    def _doors_at_border(self, candidates: NDArray[np.int64]) -> Doors:
+        chosen = candidates[np.linspace(0, len(candidates) - 1, _PLACES).astype(int)]
+        chosen = np.unique(chosen)
+        graph = self._graph(self.region)
+        far, before = _ways(graph, [self._line[chosen[0]]], self._on_line)
+        chosen = chosen[np.isfinite(far[self._line[chosen]])]
+        places = self._cut.positions[self._line[chosen]]
+        ways = [_way_to(int(vertex), before) for vertex in self._line[chosen]]
+        inner = self._inner_lengths(ways)
+        apart = np.linalg.norm(places[:, None] - places[None], axis=2)
+        best, pair = -1.0, (0, len(chosen) - 1)
+        # Corridors are a tree: the way between two doors is what their ways from anywhere do not
+        # have in common.
+        for i, j in zip(*np.nonzero(np.triu(apart >= _APART * apart.max(), 1)), strict=True):
+            same = _common(ways[i], ways[j]) - 1
+            length = inner[i][-1] + inner[j][-1] - 2.0 * inner[i][same]
+            if length > best:
+                best, pair = length, (int(i), int(j))
+        return Doors(self.strand, self.region, *sorted(int(chosen[place]) for place in pair))
+
+    def _inner_lengths(self, ways: list[NDArray[np.int64]]) -> list[NDArray[np.float64]]:
+        """How much of each way up to each of its vertices is in the middle of the surface."""
+        positions = self._cut.positions
+        border = positions[self._border]
+        every = np.unique(np.concatenate(ways))
+        away = np.zeros(len(positions))
+        for some in np.array_split(every, len(every) // 512 + 1):
+            steps = positions[some][:, None] - border[None]
+            away[some] = np.sqrt((steps**2).sum(axis=2).min(axis=1))
+        found = []
+        for way in ways:
+            steps = np.linalg.norm(np.diff(positions[way], axis=0), axis=1)
+            steps[away[way[1:]] < _MIDDLE * self._spacing] = 0.0
+            found.append(np.concatenate([[0.0], np.cumsum(steps)]))
+        return found
+
+    def hardness(self, way: NDArray[np.int64]) -> Hardness:
+        """Of the maze with this way()."""
+        points, step = self._cut.positions[way], _STEP * self._spacing
+        lengths = np.linalg.norm(np.diff(points, axis=0), axis=1)
+        at = np.concatenate([[0.0], np.cumsum(lengths)])
+        places = np.linspace(0.0, at[-1], max(int(at[-1] / step), 1) + 1)
+        course = np.column_stack([np.interp(places, at, points[:, axis]) for axis in range(3)])
+        heading = np.diff(course, axis=0)
+        heading /= np.maximum(np.linalg.norm(heading, axis=1, keepdims=True), 1e-300)
+        # Over two steps, so that a turn between two places is one; a long one counts once.
+        dots = (heading[:-2] * heading[2:]).sum(axis=1)
+        turning = np.arccos(np.clip(dots, -1.0, 1.0)) > _TURN
+        turns = int(np.count_nonzero(turning & ~np.concatenate([[False], turning[:-1]])))
+        return Hardness(at[-1] / self._spacing, turns, self._dead_ends(way))
+
+    def _dead_ends(self, way: NDArray[np.int64]) -> int:
+        """How many corridors end at neither door: places of the side that are farther from the
+        first door than all round them, by more than a corridor is wide."""
+        far, _ = _ways(self._graph(self.region, plain=True), [int(way[0])], self._on_line)
+        graph = self._graph(self.region, plain=True)
+        order = np.argsort(-far, kind="stable")
+        order = order[np.isfinite(far[order]) & ~self._on_line[order]]
+        root = {}  # of every vertex that is known, one that leads to the farthest of its part
+
+        def farthest(vertex: int) -> int:
+            while root[vertex] != vertex:
+                root[vertex] = vertex = root[root[vertex]]
+            return vertex
+
+        ends, least = 0, _CORRIDOR * self._spacing
+        for vertex in order.tolist():
+            root[vertex] = vertex
+            for place in range(graph.firsts[vertex], graph.firsts[vertex + 1]):
+                other = graph.neighbours[place]
+                if other not in root:
+                    continue
+                one, two = farthest(vertex), farthest(other)
+                if one == two:
+                    continue
+                low, high = (one, two) if far[one] <= far[two] else (two, one)
+                ends += bool(far[low] - far[vertex] > least)
+                root[low] = high
+        return ends  # the farthest of all has not ended: the second door stands for it
 
     def doors_at(self, first: float, second: float) -> Doors:
         """Doors at shares of the strand's length, in [0, 1]."""
@@ -88,10 +191,7 @@ class Maze:
         """The vertices of the cut on the way from door to door, through the middle of corridors."""
         begin, end = self._line[doors.first], self._line[doors.second]
         _, before = _ways(self._graph(self.region), [begin], self._on_line)
-        found = [end]
-        while found[-1] != begin and before[found[-1]] >= 0:
-            found.append(before[found[-1]])
-        return np.array(found[::-1])
+        return _way_to(int(end), before)
 
     def _sides(self) -> tuple[int, int]:
         """The regions on both sides of the strand: the first is on the positive side."""
@@ -169,6 +269,21 @@ def _ways(
                 lengths[other], before[other] = further, vertex
                 heapq.heappush(queue, (further, other))
     return np.array(lengths), before
+
+
+def _way_to(vertex: int, before: list[int]) -> NDArray[np.int64]:
+    """The way from where _ways() begin to a vertex."""
+    found = [vertex]
+    while before[found[-1]] >= 0:
+        found.append(before[found[-1]])
+    return np.array(found[::-1])
+
+
+def _common(one: NDArray[np.int64], other: NDArray[np.int64]) -> int:
+    """How many vertices two ways have in common at their beginning."""
+    count = min(len(one), len(other))
+    differ = one[:count] != other[:count]
+    return int(np.argmax(differ)) if differ.any() else count
 
 
 def _border_vertices(faces: NDArray[np.uint32]) -> NDArray[np.int64]:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import bpy
-import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
 from ..model.maze import Doors, Maze, NoMaze
@@ -44,7 +43,7 @@ class MEANDER_OT_maze(Cut, bpy.types.Operator):
         name="Doors",
         description="Where gaps in the wall lead into the maze",
         items=(
-            ("FAR", "Far Apart", "With the longest way between them; at the boundary of a sheet"),
+            ("FAR", "Far Apart", "With a long way between them; of a sheet on two of its sides"),
             ("CHOSEN", "Chosen", "At two places along the curve"),
             ("NONE", "None", "A wall without gaps"),
         ),
@@ -115,10 +114,10 @@ class MEANDER_OT_maze(Cut, bpy.types.Operator):
         ]  # fmt: skip
         self._remark = ""
         if doors is not None:
-            way = cut.cut.positions[maze.way(doors)]
-            length = np.linalg.norm(np.diff(way, axis=0), axis=1).sum()
-            self._remark = f", and {length / spacing:.0f} spacings from door to door"
+            vertices = maze.way(doors)
+            self._remark = f", {maze.hardness(vertices)}"
             if self.solution:
+                way = cut.cut.positions[vertices]
                 thickness = _WAY * spacing / mean_scale(matrix)
                 made.append(write_way(f"{name} Solution", way, surface, matrix, thickness))
         return made
