@@ -175,14 +175,16 @@ def fit_warning(figures: Mapping[str, Any], parts: Sequence[Part]) -> str:
     if not jumps or not parts:
         return ""
     ends = places_of([figures["seed_jump_point"], figures["seed_jump_point2"]], parts)
+    # Of a Bezier spline the user knows the control points only, and both may be near the same.
+    where = f"between {ends}" if " and " in ends else f"near {ends}"
     if jumps == 1:
         return (
-            f"The seed jumps to another part of the surface between {ends}; draw it nearer to the "
+            f"The seed jumps to another part of the surface {where}; draw it nearer to the "
             "surface there"
         )
     return (
-        f"The seed jumps to another part of the surface at {jumps} places, farthest between "
-        f"{ends}; draw it nearer to the surface there"
+        f"The seed jumps to another part of the surface at {jumps} places, farthest "
+        f"{where}; draw it nearer to the surface there"
     )
 
 

@@ -263,6 +263,7 @@ def _follow_slot(thing: bpy.types.Object) -> None:
     modifier = modifier_of(thing)
     if modifier is None:
         return
+    give_ends_material(thing)  # which a script may have chosen
     written = thing.meander.figures.look_material
     if _in_slot(thing) != written and value_of(modifier, _INPUT) == written:
         write(thing, modifier)

@@ -39,7 +39,7 @@ def new_seed(
 def mesh_of_seed(
     curve: bpy.types.Object | None, scene: bpy.types.Scene
 ) -> bpy.types.Object | None:
-    """The mesh of a scene of which a curve is the seed, or one of its guides; None where there is
+    """The mesh of a scene of which a curve is the seed, a guide or a direction; None where there is
     none. Cheap, for panels: what was drawn on a mesh is its child.
     """
     if curve is None or curve.type not in ("CURVE", "FONT") or surface_of(curve) is not None:
@@ -55,7 +55,7 @@ def _starts_from(thing: bpy.types.Object, curve: bpy.types.Object) -> bool:
         return False
     settings = settings_of(thing)
     collection = settings.guide_collection
-    return curve in (settings.seed, settings.guides) or (
+    return curve in (settings.seed, settings.guides, settings.alignment_strokes) or (
         collection is not None and curve in collection.all_objects[:]
     )
 

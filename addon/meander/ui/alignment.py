@@ -173,7 +173,11 @@ class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
             layout.row().prop(settings, "alignment_curvature", expand=True)
             row(layout, settings, "alignment_smoothing")
         elif source == "STROKES":
-            layout.prop(settings, "alignment_strokes", icon="CURVE_DATA")
+            line = layout.row(align=True)
+            line.prop(settings, "alignment_strokes", icon="CURVE_DATA")
+            if active.type == "MESH":
+                draw = line.operator("meander.draw_seed", text="", icon="GREASEPENCIL")
+                draw.setting = "alignment_strokes"
         elif source == "UV":
             layout.row().prop(settings, "alignment_uv", expand=True)
             surface = surface_of(active)

@@ -64,7 +64,7 @@ class PageSettings:
 
     filepath: StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE"})
     spacing: FloatProperty(
-        name="Spacing",
+        name="Spacing (mm)",
         description="Between neighbouring strands on paper, in millimetres, where a surface faces "
         "the camera; closer where it turns away",
         default=SPACING,
@@ -79,13 +79,21 @@ class PageSettings:
         default="A4",
     )
     width: FloatProperty(
-        name="Width", description="Of the page, in millimetres", default=200.0, min=1.0, max=1e5
+        name="Width (mm)",
+        description="Of the page, in millimetres",
+        default=200.0,
+        min=1.0,
+        max=1e5,
     )
     height: FloatProperty(
-        name="Height", description="Of the page, in millimetres", default=200.0, min=1.0, max=1e5
+        name="Height (mm)",
+        description="Of the page, in millimetres",
+        default=200.0,
+        min=1.0,
+        max=1e5,
     )
     margin: FloatProperty(
-        name="Margin",
+        name="Margin (mm)",
         description="On all sides of the page, in millimetres; the camera's picture is as large as "
         "that allows",
         default=15.0,
@@ -93,7 +101,7 @@ class PageSettings:
         soft_max=50.0,
     )
     line_width: FloatProperty(
-        name="Line Width",
+        name="Line Width (mm)",
         description="Of the pen, in millimetres",
         default=0.3,
         min=0.001,

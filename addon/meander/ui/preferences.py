@@ -62,6 +62,7 @@ class MeanderPreferences(RunPreferences, bpy.types.AddonPreferences):
         for option in in_panel("Preferences"):
             row_of(line, self, option.setting)
         layout.prop(self, "page")
+        layout.operator("meander.open_help", icon="QUESTION")
         library = core.library_notice()
         if library:
             layout.label(text=library, icon="ERROR")

@@ -16,7 +16,7 @@ from typing import Any
 import bmesh
 import bpy
 import numpy as np
-from bpy.props import BoolProperty
+from bpy.props import BoolProperty, EnumProperty
 
 from .. import core
 from ..run import seeds, session
@@ -200,7 +200,8 @@ class _Drawing:
     curve: Key
     surface: Key
     scene: Key
-    earlier_seed: Key | None
+    setting: str  # of the surface, which names the curve
+    earlier: Key | None  # what it named
     paint: dict[str, Any]
     tool: str | None
     workspaces: list[Key] = field(default_factory=list)
@@ -208,6 +209,9 @@ class _Drawing:
     shows: bool = True  # whether that is quick enough
     problem: str = ""  # why a run would refuse what is drawn, a sentence
 
+
+# What a curve is for its mesh that a setting names.
+_IS_WHAT = {"seed": "seed", "alignment_strokes": "direction"}
 
 _drawing: _Drawing | None = None
 
@@ -223,21 +227,25 @@ def surface_drawn_on(active: bpy.types.Object | None) -> bpy.types.Object | None
 # Borrowing
 
 
-def _borrow(context: bpy.types.Context, curve: bpy.types.Object, surface: bpy.types.Object) -> None:
+def _borrow(
+    context: bpy.types.Context, curve: bpy.types.Object, surface: bpy.types.Object, setting: str
+) -> None:
     """Sets up the draw tool. Edit Mode of the curve is on."""
     global _drawing
     paint = context.tool_settings.curve_paint_settings
     before = settings_of(paint, _PAINT)
     for name in before:
         setattr(paint, name, _PAINT[name])
-    earlier = linked_settings.settings_of(surface).seed
+    earlier = getattr(linked_settings.settings_of(surface), setting)
     _drawing = _Drawing(
         Key(curve),
         Key(surface),
         Key(context.scene),
+        setting,
         None if earlier is None else Key(earlier),
         before,
         None,
+        shows=setting == "seed",  # directions are not what a run starts from
     )
     if context.area is not None and context.area.type == "VIEW_3D":
         tool = context.workspace.tools.from_space_view3d_mode("EDIT_CURVE", create=False)
@@ -321,12 +329,13 @@ def _end(drawing: _Drawing, context: bpy.types.Context) -> str:
     if strokes:
         count = "one strand" if strokes == 1 else f"{strokes} strands"
         whose = surface.name if surface is not None else "nothing"
-        return f"{curve.name}, {count}, is the seed of {whose}"
-    if surface is not None and linked_settings.settings_of(surface).seed == curve:
-        earlier = drawing.earlier_seed.find() if drawing.earlier_seed is not None else None
-        linked_settings.settings_to_change(surface).seed = earlier
+        return f"{curve.name}, {count}, is the {_IS_WHAT[drawing.setting]} of {whose}"
+    setting = drawing.setting
+    if surface is not None and getattr(linked_settings.settings_of(surface), setting) == curve:
+        earlier = drawing.earlier.find() if drawing.earlier is not None else None
+        setattr(linked_settings.settings_to_change(surface), setting, earlier)
     bpy.data.batch_remove([curve, curve.data])
-    return "Nothing was drawn; the seed is what it was"
+    return f"Nothing was drawn; the {_IS_WHAT[setting]} is what it was"
 
 
 def _show_strokes(drawing: _Drawing, curve: bpy.types.Object) -> None:
@@ -374,6 +383,25 @@ class MEANDER_OT_draw_seed(bpy.types.Operator):
     )
     bl_options = {"REGISTER", "UNDO"}
 
+    setting: EnumProperty(
+        name="As",
+        description="What the strokes are for the mesh",
+        items=(
+            ("seed", "Seed", "Strands to start from"),
+            ("alignment_strokes", "Direction", "Strands run along them"),
+        ),
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, options: Any) -> str:
+        if options.setting == "seed":
+            return cls.bl_description
+        return (
+            "Draw strokes on the surface with the mouse, along which strands then run: makes a "
+            "curve of directions, and sets up Blender's draw tool for it. End Drawing ends"
+        )
+
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         active = context.active_object
@@ -392,16 +420,19 @@ class MEANDER_OT_draw_seed(bpy.types.Operator):
         surface = context.active_object
         if context.mode != "OBJECT":
             bpy.ops.object.mode_set(mode="OBJECT")
-        curve = new_seed(surface, f"{surface.name} Seed", [])
+        curve = new_seed(surface, f"{surface.name} {_IS_WHAT[self.setting].capitalize()}", [])
         _activate(context, curve)
         bpy.ops.object.mode_set(mode="EDIT")
-        _borrow(context, curve, surface)
-        linked_settings.settings_to_change(surface).seed = curve
+        _borrow(context, curve, surface, self.setting)
+        settings = linked_settings.settings_to_change(surface)
+        setattr(settings, self.setting, curve)
+        if self.setting == "alignment_strokes":
+            settings.alignment_source = "STROKES"
         return {"FINISHED"}
 
 
 class MEANDER_OT_end_seed(bpy.types.Operator):
-    """Leave Edit Mode and go back to the surface, with what was drawn as its seed"""
+    """Leave Edit Mode and go back to the surface, with what was drawn as its seed or direction"""
 
     bl_idname = "meander.end_seed"
     bl_label = "End Drawing"
@@ -486,7 +517,9 @@ class MEANDER_PT_drawing(Sidebar, bpy.types.Panel):
         if _drawing.problem:
             notice(column, _drawing.problem, "ERROR")
         else:
-            column.label(text="Each stroke is a strand", icon="BLANK1")
+            is_seed = _drawing.setting == "seed"
+            text = "Each stroke is a strand" if is_seed else "Strands run along strokes"
+            column.label(text=text, icon="BLANK1")
         row = column.row()
         row.scale_y = 1.4
         row.operator(MEANDER_OT_end_seed.bl_idname, icon="CHECKMARK")
