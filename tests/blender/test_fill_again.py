@@ -16,6 +16,7 @@ from scenes import (
     counts,
     fill,
     length_of,
+    points_of,
     poly_curve,
     sphere,
     world_splines,
@@ -319,3 +320,53 @@ def test_a_curve_that_is_deleted_takes_its_figures_with_it():
     assert texts_of(MEANDER_PT_figures)
     bpy.data.objects.remove(result)
     assert not texts_of(MEANDER_PT_figures)
+
+
+# -- another curve ---------------------------------------------------------------------------------
+
+
+def between(one: bpy.types.Object, other: bpy.types.Object) -> float:
+    """The mean distance of the points of a curve from those of another."""
+    mine, its = points_of(one), points_of(other)
+    return float(np.mean([np.linalg.norm(its - point, axis=1).min() for point in mine[::4]]))
+
+
+@pytest.mark.parametrize("start", ["PRESET", "FULL"])
+def test_a_new_curve_is_another_one(start):
+    surface = sphere(subdivisions=4)
+    first = fill(surface, 0.2, start=start)
+    activate(surface)
+    assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
+    second = surface.meander.last_result
+    activate(surface)
+    assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
+    third = surface.meander.last_result
+    for one, other in ((first, second), (second, third), (first, third)):
+        assert between(one, other) > 0.1 * 0.2
+    # Fill Again keeps it, and the same settings make the same curve.
+    for result in (second, third):
+        activate(result)
+        before = points_of(result)
+        assert bpy.ops.meander.run(restart=True) == {"FINISHED"}
+        assert np.array_equal(points_of(result), before)
+    assert [each.meander.figures.variation for each in (first, second, third)] == [0, 1, 2]
+
+
+def test_a_new_curve_has_its_points_on_the_faces_that_the_mesh_numbers():
+    surface = sphere()
+    fill(surface, 0.3)
+    activate(surface)
+    surface.meander.points_as = "MESH"
+    assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
+    points = surface.meander.last_result.meander.figures.points.data
+    count = len(points.vertices)
+    triangles, weights = np.empty(count, dtype=np.int32), np.empty(3 * count, dtype=np.float32)
+    places = np.empty(3 * count, dtype=np.float32)
+    points.attributes["triangle"].data.foreach_get("value", triangles)
+    points.attributes["weights"].data.foreach_get("vector", weights)
+    points.vertices.foreach_get("co", places)
+    surface.data.calc_loop_triangles()
+    corners = np.array([each.vertices[:] for each in surface.data.loop_triangles])[triangles]
+    vertices = np.array([vertex.co[:] for vertex in surface.data.vertices])
+    there = np.einsum("nk,nkj->nj", weights.reshape(-1, 3), vertices[corners])
+    assert np.abs(there - places.reshape(-1, 3)).max() < 1e-5

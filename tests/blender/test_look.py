@@ -308,7 +308,7 @@ def test_no_run_touches_the_look():
     surface = result.meander.surface
     mine = bpy.data.materials.new("Mine")
     choose(result, Radius=0.4, Profile=4, Resolution=5, Lift=0.5, Material=mine)
-    choose(result, Plies=4, Twist=0.5, Fuzz=0.1, Ends=2)
+    choose(result, Plies=4, Twist=0.5, Fuzz=0.1, Ends=2, **{"Ends Material": mine})
     modifier = look.modifier_of(result)
     owner, path = look.place_of(modifier, "Radius")
     if path.startswith("["):

@@ -139,6 +139,8 @@ def _plan_of(
         vertices, faces, options, seed, density, prepared, directions, alignment.kind, outline,
         least_bend,
     )  # fmt: skip
+    if from_surface or restart:  # what goes on begins with its own line
+        problem.variation = results.variation_of(earlier, surface)
     matrix = matrix_of(surface, depsgraph)
     if settings.mirror != "NONE":
         problem.mirror = mirror_of(settings.mirror.lower(), matrix)

@@ -100,6 +100,11 @@ class MeanderFigures(bpy.types.PropertyGroup):
     )
     spacing_median: FloatProperty(name="Median Spacing", unit="LENGTH", options=set())
     seconds: FloatProperty(name="Seconds", options=set())
+    variation: IntProperty(
+        name="Variation",
+        description="Which of the curves of the same settings it is; New Curve makes the next",
+        options=set(),
+    )
     run_number: IntProperty(name="Run", description="Among those on its surface", options=set())
     empty_parts: IntProperty(name="Empty Parts", options=set())
     # On results only: which of their splines are guides.
