@@ -149,8 +149,8 @@ class Machine:
                 self.factor = 25.4 if code == "G20" else 1.0
             elif code == "G90":
                 absolute = True
-            elif code == "M83":
-                relative_extrusion = True
+            elif code in ("M82", "M83"):
+                relative_extrusion = code == "M83"
             elif code == "M2":
                 ended = True
             else:
@@ -252,4 +252,4 @@ def test_the_scene_says_how_long_its_unit_is():
     whole = sum(length_of(strand.points, strand.closed) for strand in strands())
     assert drawing.length == pytest.approx(20.0 * whole)
     text = gcode_text(drawing, Motion(), "caf\u00e9\nG28", "1")
-    assert text.startswith("; caf??G28, Meander 1\n")
+    assert text.startswith("; caf__G28, Meander 1\n")

@@ -67,7 +67,10 @@ def heard(work: Callable[[], _Result], cancel: Callable[[], None] | None) -> _Re
 
     try:
         # Bare threads cost a fifth of what threading's cost, and do not keep the interpreter.
-        _thread.start_new_thread(do, ())
+        try:
+            _thread.start_new_thread(do, ())
+        except RuntimeError:  # the system gives none: better unheard than not done
+            return work()
         while not lasts.acquire(timeout=_PAUSE):
             pass
     except BaseException:

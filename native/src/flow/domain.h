@@ -62,8 +62,8 @@ struct Domain {
   std::shared_ptr<const Surface> given;
   RadiusField asked_radius;
   /// The flow runs on that surface as it is at the scale of the spacing, see at_scale(), where distances are along the
-  /// surface; else, and where nothing is rough, it is the same one. There r is as much smaller as lengths are, and as much
-  /// larger as strands come to rest nearer to one another.
+  /// surface; else, and where nothing is rough, it is the same one. There r is as much smaller as lengths are, and as
+  /// much larger as strands come to rest nearer to one another.
   std::shared_ptr<const Surface> surface;
   double rest = 1;            ///< FlowSettings::rest()
   RadiusField wanted_radius;  ///< r as it is to be in the end,
