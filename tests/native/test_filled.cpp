@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "outputs/gaps.h"
+#include "outputs/statistics.h"
 #include "test_seeds.h"
 
 namespace meander::test {
@@ -159,6 +161,13 @@ std::vector<Long> long_surfaces() {
       {"strip of 400 x 4, of one quad", strip(40, 0.4, 1), stroke({0.1, 0, 0}, {0.4, 0, 0})},
       {"ring", ring(6, 0.4, 240), stroke({6.1, 0, 0}, {5.9, 0, 0})},
       {"spiral", spiral(3, 1, 0.4, 300), stroke({1.1, 0.1, 0}, {0.95, 0.1, 0})},
+      {"strip of 200 x .8", strip(20, 0.08, 100), stroke({0.1, 0, 0}, {0.3, 0.001, 0})},
+      {"strip of 200 x .8, of one quad", strip(20, 0.08, 1), stroke({0.1, 0, 0}, {0.3, 0.001, 0})},
+      {"strip of 200 x 1.2", strip(20, 0.12, 100), stroke({0.1, 0, 0}, {0.3, 0.001, 0})},
+      {"strip of 400 x 2", strip(40, 0.2, 100), stroke({0.1, 0, 0}, {0.3, 0.001, 0})},
+      {"ring of 200 x .8", ring(20 / (2 * kPi), 0.08, 240), stroke({20 / (2 * kPi), 0, 0}, {20 / (2 * kPi), 0.2, 0})},
+      {"spiral 1 wide", spiral(2, 1, 0.1, 200), stroke({1, 0.05, 0}, {1, 0.2, 0})},
+      {"narrow star", star(10, 4, 0.14, 10), stroke({3.5, 0.01, 0}, {3.8, 0.01, 0})},
       {"pipe", pipe(30, 0.4, 30), stroke({0.4 / (2 * kPi), 0, 0.1}, {0.4 / (2 * kPi), 0, 0.4})},
       {"star", star(10, 8, 0.4, 20), stroke({7.5, 0.1, 0}, {7.8, 0.1, 0})},
       {"star of few quads", star(10, 8, 0.4, 1), stroke({7.5, 0.1, 0}, {7.8, 0.1, 0})},
@@ -191,6 +200,26 @@ TEST(Filled, AStripOfTwoSpacingsFromNothing) {
   EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
   EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
   EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+}
+
+/// One that has not is left, and said to be narrow.
+TEST(Filled, AStripOfAThirdOfASpacing) {
+  const auto surface = std::make_shared<const Surface>(make_surface(strip(5, 0.3 * kSpacing, 60)));
+  Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+  flow.run(kNeverCancelled, [](double) {});
+  EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+  const Gaps gaps = find_gaps(flow, kGapSize);
+  EXPECT_EQ(gaps.empty.wide, 0);
+}
+
+/// Where the spacing gives way results are judged by the one that was asked for.
+TEST(Filled, ANarrowStripIsJudgedByTheSpacingAskedFor) {
+  const auto surface = std::make_shared<const Surface>(make_surface(strip(5, 0.8 * kSpacing, 60)));
+  Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+  flow.run(kNeverCancelled, [](double) {});
+  const double median = statistics_of(flow).spacing_percentile(0.5);
+  EXPECT_GT(median, 0.3 * kSpacing);
+  EXPECT_LT(median, 0.6 * kSpacing);
 }
 
 /// What a strand would crawl to for hundreds of iterations is laid.
