@@ -218,8 +218,9 @@ TEST(Filled, ANarrowStripIsJudgedByTheSpacingAskedFor) {
   Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
   flow.run(kNeverCancelled, [](double) {});
   const double median = statistics_of(flow).spacing_percentile(0.5);
-  EXPECT_GT(median, 0.3 * kSpacing);
-  EXPECT_LT(median, 0.6 * kSpacing);
+  const double asked = 2 * flow.settings().radius;
+  EXPECT_GT(median, 0.3 * asked);
+  EXPECT_LT(median, 0.6 * asked);
 }
 
 /// What a strand would crawl to for hundreds of iterations is laid.

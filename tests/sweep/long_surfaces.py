@@ -4,8 +4,8 @@
     python3 tests/sweep/long_surfaces.py [--only strip] [--lengths 10,100] [--widths 0.8,4]
 
 A line for every shape, length and width in spacings, with few faces and with many, from nothing and
-from a stroke at one end. Times are of a processor; `times` is over that of a square of as many faces
-and the same area from nothing.
+from a stroke at one end. Times are of a processor; `times` is over that of a square of as many
+faces and the same area from nothing.
 """
 
 from __future__ import annotations
@@ -209,7 +209,8 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n\n")[0])
     parser.add_argument("--only", default="", metavar="NAMES", help="of shapes, with commas")
     parser.add_argument("--lengths", type=numbers, default=[10, 50, 200], help="in spacings")
-    parser.add_argument("--widths", type=numbers, default=[0.8, 1.2, 2, 3, 4, 8], help="in spacings")
+    widths = [0.8, 1.2, 2, 3, 4, 8]
+    parser.add_argument("--widths", type=numbers, default=widths, help="in spacings")
     parser.add_argument("--pieces", type=numbers, default=[1, 200], help="along the surface")
     parser.add_argument("--starts", default="nothing,stroke,full")
     parser.add_argument("--limit", type=int, default=0, help="of iterations; 0: as it is")
@@ -227,13 +228,13 @@ def main() -> int:
                         filled = fill(mesh, seed, start, options.limit)
                         times = ""
                         if options.times:
-                            times = f" times {filled.seconds / seconds_of_square(area_of(mesh), pieces):.1f}"
-                        bad = filled.empty > 1e-3 or filled.crossings or filled.reason != "converged"
-                        wrong += bool(bad)
-                        print(
-                            f"{'!' if bad else ' '} {name:11} {length:5g} x {width:3g} {pieces:3} {start:7} {filled}{times}",
-                            flush=True,
-                        )
+                            square_seconds = seconds_of_square(area_of(mesh), pieces)
+                            times = f" times {filled.seconds / square_seconds:.1f}"
+                        converged = filled.reason == "converged"
+                        bad = filled.empty > 1e-3 or filled.crossings > 0 or not converged
+                        wrong += bad
+                        what = f"{name:11} {length:5g} x {width:3g} {pieces:3} {start:7}"
+                        print(f"{'!' if bad else ' '} {what} {filled}{times}", flush=True)
     print(f"{wrong} not filled")
     return 1 if wrong else 0
 

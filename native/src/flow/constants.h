@@ -165,8 +165,8 @@ inline constexpr double kGrownForSure = 0.005;
 /// compact surfaces of scripts/fingerprints.py nothing is far when growth ends.
 inline constexpr double kFarFromNodes = 3.2, kMostFar = 0.001, kLessFar = 0.0005;
 
-/// The same where more than this share of the nodes, from 0 to 1, lie alone in strips with room for their way back, which
-/// are wider than kWidestAlone, in r: an open strand may lie in the middle of one for ever.
+/// The same where more than this share of the nodes, from 0 to 1, lie alone in strips with room for their way back,
+/// which are wider than kWidestAlone, in r: an open strand may lie in the middle of one for ever.
 inline constexpr double kMostAlone = 0.01, kWidestAlone = 3.2;
 
 /// And where it has not come to an end after so many iterations for each r of the side of a square as large as the

@@ -17,10 +17,11 @@ struct Room {
   bool smaller = false;  ///< r has become smaller
 };
 
-/// A closed line lies across a strip an even number of times. One narrower than two spacings has room for it and its way
-/// back where r is a quarter of the strip's width; with a larger one the boundary pushes one strand into the other until
-/// neither can move. So r becomes that on every component that is such a strip, and half of its width where a strand that
-/// grows is open, which may lie along the middle; it stays what it is elsewhere, and where there is no room at all.
+/// A closed line lies across a strip an even number of times. One narrower than two spacings has room for it and its
+/// way back where r is a quarter of the strip's width; with a larger one the boundary pushes one strand into the other
+/// until neither can move. So r becomes that on every component that is such a strip, and half of its width where a
+/// strand that grows is open, which may lie along the middle; it stays what it is elsewhere, and where there is no room
+/// at all.
 Room leave_room(const Surface& surface, const Curve& curve, RadiusField& radius);
 
 }  // namespace meander

@@ -235,9 +235,8 @@ Walk Walk::along_trunk(const Ways& ways, const Trunk& trunk, CancelToken& poll) 
       continue;
     }
     add(along[k], {Corner::kFromTrunk, kLeft});
-    walk_round(finger,
-               cross(ways.leaving(ahead) - ways.leaving(Ways::twin(along[k])), ways.leaving(finger)) > 0 ? kLeft : kRight,
-               Corner::kToTrunk);
+    const Vec2 across = ways.leaving(ahead) - ways.leaving(Ways::twin(along[k]));
+    walk_round(finger, cross(across, ways.leaving(finger)) > 0 ? kLeft : kRight, Corner::kToTrunk);
   }
   return walk;
 }

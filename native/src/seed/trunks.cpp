@@ -34,7 +34,8 @@ Across across(const LineNetwork& network, uint32_t node, Vec2 direction, double 
   const LineNetwork::Node& here = network.nodes()[node];
   const auto reach = [&](double side) {
     Path path;
-    const Trace there = trace_geodesic(network.surface(), here.point, Vec2{0, side * most * here.radius} * direction, path);
+    const Vec2 sideways = Vec2{0, side * most * here.radius} * direction;
+    const Trace there = trace_geodesic(network.surface(), here.point, sideways, path);
     const bool free = there.hit_boundary && !network.first_met(node, there.end, path);
     return free ? there.length / here.radius : kWide;
   };
@@ -80,7 +81,8 @@ class Prolonging {
       if (other.line >= LineNetwork::kBoundary || other.line < drawn_) return false;
       const std::vector<uint32_t>& line = lines_[other.line].nodes;
       const Vec2 there = unit(s_.to_plane(here.point.face, other.place - here.place));
-      if ((i == line.front() || i == line.back()) && dot(there, direction) > kStraightAhead) tips.emplace_back(distance, i);
+      const bool tip = i == line.front() || i == line.back();
+      if (tip && dot(there, direction) > kStraightAhead) tips.emplace_back(distance, i);
       return false;
     });
     std::ranges::sort(tips);
@@ -192,7 +194,8 @@ void Trunks::part_alone(const Curve& curve, size_t k, LineNetwork& network, std:
   if (last < count && arc(count - 1) - arc(last) < kLeastTail) last = count;
   const auto part = [&](size_t begin, size_t end) {
     if (begin == end) return;
-    Streamline tail{{nodes.begin() + static_cast<std::ptrdiff_t>(begin), nodes.begin() + static_cast<std::ptrdiff_t>(end)}};
+    const auto at = [&](size_t i) { return nodes.begin() + static_cast<std::ptrdiff_t>(i); };
+    Streamline tail{{at(begin), at(end)}};
     for (const uint32_t node : tail.nodes) network.set_line(node, static_cast<uint32_t>(lines.size()));
     lines.push_back(std::move(tail));
   };
