@@ -52,6 +52,7 @@ from .binding.cut import NO_STRAND, CutSurface, cut_surface
 from .binding.files import TextPolygons, read_numbers, read_polygons, triangulated
 from .binding.flow import Flow, Gaps, Nodes, PointData, Polylines, Preview
 from .binding.flow_options import FlowOptions, default_options, option_warnings
+from .binding.maps import MapPixels, cut_distances, map_pixels
 from .binding.named import unknown_name
 from .binding.native_library import (
     LIBRARY_VARIABLE,
@@ -98,6 +99,7 @@ __all__ = [
     "Flow",
     "FlowOptions",
     "Gaps",
+    "MapPixels",
     "MeanderError",
     "MedialAxis",
     "Nodes",
@@ -114,6 +116,7 @@ __all__ = [
     "TextPolygons",
     "area_of",
     "automatic_spacing",
+    "cut_distances",
     "cut_surface",
     "default_options",
     "estimate_cost",
@@ -122,6 +125,7 @@ __all__ = [
     "library_notice",
     "library_path",
     "library_version",
+    "map_pixels",
     "option_warnings",
     "read_numbers",
     "read_polygons",

@@ -54,6 +54,51 @@ def test_pixels_say_how_far_the_line_is(sheet: Mapped) -> None:
     assert np.median(off) < 1e-4 and np.percentile(off, 99) < 0.02 and off.max() < 0.1
 
 
+def test_an_image_is_the_same_for_any_number_of_threads(sheet: Mapped) -> None:
+    places = np.random.default_rng(1).uniform(-20, 120, (400, 3, 2))
+    one, two = (core.map_pixels(places, 100, 5, threads) for threads in (1, 2))
+    assert all(np.array_equal(a, b) for a, b in zip(one[:2], two[:2], strict=True))
+    assert one[2:] == two[2:]
+    found = [
+        core.cut_distances(
+            sheet.cut, SPACING, np.abs(one.faces) % 50, np.abs(one.weights), True, threads
+        )
+        for threads in (1, 2)
+    ]
+    assert all(np.array_equal(a, b) for a, b in zip(*found, strict=True))
+
+
+def test_each_pixel_lies_in_its_face() -> None:
+    """The last one that it is in, by another formula."""
+    generator = np.random.default_rng(2)
+    places = generator.uniform(-10, 70, (60, 3, 2))
+    places[:3] = places[0]  # without area
+    places[3, 1, 0] = np.nan
+    found = core.map_pixels(places, 60)
+    at = np.stack(np.meshgrid(np.arange(60), np.arange(60)), axis=2).reshape(-1, 2)
+    expected = np.full(3600, -1)
+    for number, corners in enumerate(places):
+        turns = [
+            np.cross(corners[(k + 1) % 3] - corners[k], at - corners[k]) for k in range(3)
+        ]
+        inside = (np.array(turns) > 0).all(axis=0) | (np.array(turns) < 0).all(axis=0)
+        expected[inside] = number
+    assert (found.faces == expected).mean() > 0.999
+    known = found.faces >= 0
+    corners = places[found.faces[known]]
+    back = np.einsum("nk,nkx->nx", found.weights[known].astype(float), corners)
+    assert np.abs(back - at[known]).max() < 1e-3
+    assert found.covered == known.sum() >= found.twice > 0
+
+
+def test_images_are_cancelled(sheet: Mapped, tmp_path: Path) -> None:
+    with core.Context() as context:
+        context.cancel()
+        with pytest.raises(core.MeanderError) as refused:
+            maps.images(sheet, tmp_path / "out.png", ["mask"], Style(SIZE, 0), context)
+    assert refused.value.status == core.Status.CANCELLED
+
+
 def test_the_mask_is_as_wide_as_asked(sheet: Mapped) -> None:
     image = Tile(sheet, (0, 0), Style(SIZE, 0, line_width=0.3)).image("mask") / 65535.0
     true = true_distances(sheet, centres().reshape(-1, 2)).reshape(SIZE, SIZE)

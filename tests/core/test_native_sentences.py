@@ -11,6 +11,7 @@ from __future__ import annotations
 import contextlib
 import ctypes
 from ctypes import byref, c_size_t, c_void_p
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -81,7 +82,8 @@ def pools(surface: int, flow: int, running: int) -> dict[str, list[Any]]:
         "distance": [0.1, -1.0], "spacing": [0.2, -1.0, np.nan], "detail": [0.0, -1.0],
         "radius": [0.1, -1.0, 99.0], "least_size": [0.0], "middle_lines": [0], "index": [0],
         "text": [b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", None],
-        "size": [32],
+        "size": [32], "side": [4, 0, 40000], "margin": [1],
+        "nearest": [np.full(16, -1, dtype=np.int32), None],
         "parts": [1, 99],
         "name": [b"polish_length_gain", b"nothing", None], "value": [1.0, -1.0, np.nan],
         "length_step": [0.1, -1.0, np.nan], "point_limit": [100],
@@ -140,6 +142,7 @@ def names_of_header() -> dict[str, list[str]]:
 NAMES = names_of_header()
 IS_OUTPUT = {
     "meander_flow_options_get_tuning": ("value",),
+    "meander_map_find_pixels": ("nearest",),
     "meander_surface_compute_directions": ("directions",),
     "meander_surface_compute_stroke_directions": ("directions",),
 }
@@ -362,6 +365,18 @@ def tried() -> list[str]:
         refused(lambda: flow.set_vertices(folded))
     with core.Surface(VERTICES, FACES) as surface, core.Flow(surface, options) as flow:
         refused(lambda: flow.set_directions(np.tile((0.0, 0.0, 1.0), (count, 1))))
+    with core.Surface(VERTICES, FACES) as surface, core.Flow(surface, options) as flow:
+        flow.step()
+        cut = core.cut_surface(flow)
+    place, weights = np.zeros(1, dtype=np.int32), np.ones((1, 3), dtype=np.float32) / 3
+    for wrong in (
+        {"faces": cut.faces + len(cut.positions)},
+        {"offsets": cut.offsets + len(cut.line_vertices)},
+        {"line_strands": cut.line_strands + 2**31},
+    ):
+        bad = replace(cut, **wrong)
+        refused(lambda bad=bad: core.cut_distances(bad, 0.2, place, weights))
+    refused(lambda: core.cut_distances(cut, 0.2, place + len(cut.faces), weights))
     for text in (b"v 0 0\n", b"v 0 0 0\nf 1 2 x\n"):
         refused(lambda text=text: files.read_polygons(text, abi.Text.OBJ_FACES))
     refused(lambda: files.read_polygons(b"vertex 0 0 0\nvertex 1 0 0\n", abi.Text.STL))

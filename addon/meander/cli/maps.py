@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import argparse
+import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +16,8 @@ from .place import Place
 from .values import BadInput, file_name, one_of_several, reader
 
 _DEFAULT = maps.Style()
+# A line of progress after so long at most.
+_PROGRESS_SECONDS = 2.0
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -103,8 +107,11 @@ def images_of(
     cut = core.cut_surface(flow, detail, True)
     mapped = maps.Mapped.of(cut, corners, arguments.spacing)
     try:
-        images, overlap = maps.images(
-            mapped, arguments.maps, arguments.map_kinds or maps.KINDS, _style(arguments)
+        kinds, style = arguments.map_kinds or maps.KINDS, _style(arguments)
+        images, overlap = interruptible(
+            lambda context: maps.images(
+                mapped, arguments.maps, kinds, style, context, _saying(place)
+            )
         )
     except maps.NoPlace as problem:
         raise BadInput(f"--maps is not possible here: the UV map {problem}") from problem
@@ -112,6 +119,19 @@ def images_of(
     if warning:
         place.warn(warning)
     return images
+
+
+def _saying(place: Place) -> Callable[[float], None]:
+    """Says how far images are, where they take long."""
+    said = time.monotonic()
+
+    def say(share: float) -> None:
+        nonlocal said
+        if time.monotonic() - said > _PROGRESS_SECONDS:
+            said = time.monotonic()
+            place.say(f"meander: images {100.0 * share:.0f} %")
+
+    return say
 
 
 def _style(arguments: argparse.Namespace) -> maps.Style:

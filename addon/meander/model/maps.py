@@ -2,7 +2,8 @@
 """A curve as images by a UV map of its surface, made of the surface cut along it; numpy only.
 
 The cut has the curve among its edges, and every corner of it has its place in the UV map, so that
-each pixel is asked of the triangle that it lies in: nothing is rendered, and nothing is sampled.
+each pixel is asked of the triangle that it lies in, by the library: nothing is rendered, and
+nothing is sampled.
 """
 
 from __future__ import annotations
@@ -11,8 +12,9 @@ import os
 import re
 import struct
 import zlib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -36,14 +38,10 @@ SIZES = (16, 16384)
 MOST_TILES = 100
 # How long the edges of a cut are to be between the lines, in spacings.
 DETAIL = 0.125
-# Pixels whose triangle is looked up at a time.
-_AT_ONCE = 1 << 21
-# A pixel on the edge between two triangles belongs to both, one that is farther inside both of two
-# only where the map lies on itself: as shares of a triangle's height.
-_ON_EDGE, _INSIDE = 1e-9, 1e-3
+# Pixels whose values are computed at a time.
+_AT_ONCE = 1 << 22
 # From this share of pixels in two places on it is worth a word.
 _OVERLAPPING = 0.005
-_NEIGHBOURS = ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (1, -1), (-1, 1), (-1, -1))
 
 
 class NoPlace(Exception):
@@ -115,85 +113,38 @@ class Tile:
     overlap   the share of its pixels that lie in two places of the surface
     """
 
-    def __init__(self, mapped: Mapped, tile: tuple[int, int], style: Style) -> None:
+    def __init__(
+        self,
+        mapped: Mapped,
+        tile: tuple[int, int],
+        style: Style,
+        context: core.Context | None = None,
+    ) -> None:
         self._mapped, self._style = mapped, style
         size = style.size
         # In pixels, whose centres are whole numbers; rows count from the top, as in image files.
         places = (mapped.uv - np.array(tile)) * size - 0.5
         places[:, :, 1] = size - 1 - places[:, :, 1]
         self._places = places
-        self.face = np.full(size * size, -1, dtype=np.int32)
-        self._weights = np.zeros((size * size, 3), dtype=np.float32)
-        self._twice = np.zeros(size * size, dtype=bool)
-        self._fill()
-        covered = int((self.face >= 0).sum())
-        self.overlap = float(self._twice.sum()) / covered if covered else 0.0
-        self._widen()
-
-    def _fill(self) -> None:
-        size, places = self._style.size, self._places
-        usable = np.isfinite(places).all(axis=(1, 2))
-        low = np.clip(np.ceil(np.where(usable[:, None], places.min(axis=1), size)), 0, size)
-        high = np.clip(np.floor(np.where(usable[:, None], places.max(axis=1), -1)), -1, size - 1)
-        low, spans = low.astype(np.int64), (high - low + 1).astype(np.int64)
-        spans[(spans <= 0).any(axis=1)] = 0
-        counts = spans.prod(axis=1)
-        faces = np.flatnonzero(counts)
-        ends = np.cumsum(counts[faces])
-        begin = 0
-        while begin < len(faces):
-            before = ends[begin - 1] if begin else 0
-            end = max(int(np.searchsorted(ends, before + _AT_ONCE, side="right")), begin + 1)
-            self._ask(faces[begin:end], low, spans, counts)
-            begin = end
-
-    def _ask(
-        self, faces: NDArray, low: NDArray, spans: NDArray, counts: NDArray
-    ) -> None:
-        """Gives pixels within the boxes of some faces to those that they lie in."""
-        face = np.repeat(faces, counts[faces])
-        starts = np.cumsum(counts[faces]) - counts[faces]
-        number = np.arange(len(face)) - np.repeat(starts, counts[faces])
-        column = low[face, 0] + number % spans[face, 0]
-        row = low[face, 1] + number // spans[face, 0]
-        weights = _weights_at(self._places[face], np.stack((column, row), axis=1))
-        inside = (weights >= -_ON_EDGE).all(axis=1)
-        face, weights = face[inside], weights[inside]
-        pixel = row[inside] * self._style.size + column[inside]
-        well_inside = pixel[(weights > _INSIDE).all(axis=1)]
-        seen, times = np.unique(well_inside, return_counts=True)
-        self._twice[seen[(times > 1) | (self.face[seen] >= 0)]] = True
-        self.face[pixel], self._weights[pixel] = face, weights
-
-    def _widen(self) -> None:
-        """Carries what lies at the edges of islands on beyond them."""
-        size = self._style.size
-        front = np.flatnonzero(self.face >= 0)
-        for _ in range(self._style.margin):
-            reached = []
-            for down, right in _NEIGHBOURS:
-                row, column = front // size + down, front % size + right
-                there = (row >= 0) & (row < size) & (column >= 0) & (column < size)
-                source, target = front[there], (row * size + column)[there]
-                empty = self.face[target] < 0
-                source, target = source[empty], target[empty]
-                target, first = np.unique(target, return_index=True)
-                self.face[target] = self.face[source[first]]
-                self._weights[target] = self._weights[source[first]]
-                reached.append(target)
-            front = np.concatenate(reached)
-            if not len(front):
-                break
+        pixels = core.map_pixels(places, size, style.margin, context=context)
+        self.face, self._weights = pixels.faces, pixels.weights
+        self.overlap = pixels.twice / pixels.covered if pixels.covered else 0.0
+        self._context = context
 
     def values(self, kind: str) -> NDArray[np.float32]:
         """One of KINDS, (size, size) or, of normals and colours, (size, size, 3), all from 0 to 1;
         0 where no face is near. Colours are linear."""
         size = self._style.size
-        known = self.face >= 0
-        values = self._values(kind, self.face[known], self._weights[known].astype(np.float64))
-        image = np.zeros((size * size, *values.shape[1:]), dtype=np.float32)
-        image[known] = np.clip(values, 0.0, 1.0)
-        return image.reshape(size, size, *values.shape[1:])
+        image: NDArray[np.float32] | None = None
+        for begin in range(0, size * size, _AT_ONCE):
+            part = slice(begin, begin + _AT_ONCE)
+            known = self.face[part] >= 0
+            face, weights = self.face[part][known], self._weights[part][known]
+            values = self._values(kind, face, weights)
+            if image is None:
+                image = np.zeros((size * size, *values.shape[1:]), dtype=np.float32)
+            image[part][known] = np.clip(values, 0.0, 1.0)
+        return image.reshape(size, size, *image.shape[1:])
 
     def image(self, kind: str) -> NDArray[np.uint16]:
         """The same with 16 bits a channel; colours are as screens have them (sRGB)."""
@@ -207,21 +158,23 @@ class Tile:
         return exr(self.values(kind)) if suffix == ".exr" else png(self.image(kind))
 
     def _values(
-        self, kind: str, face: NDArray[np.int32], weights: NDArray[np.float64]
+        self, kind: str, face: NDArray[np.int32], weights: NDArray[np.float32]
     ) -> NDArray[np.float64]:
         cut, spacing = self._mapped.cut, self._mapped.spacing
         if kind == "side":
             return (cut.sides[face] > 0).astype(np.float64)
         if kind in ("along", "color"):
-            along = (along_shares(cut)[face] * weights).sum(axis=1)
+            along = (along_shares(cut)[face] * weights.astype(np.float64)).sum(axis=1)
             if kind == "along":
                 return along
             return self._style.colours(self._there_and_back(face, along))
-        distance, away = self._distances(face, weights)
-        distance = distance / spacing
+        distance, away = core.cut_distances(
+            cut, spacing, face, weights, kind == "normal", context=self._context
+        )
+        distance /= spacing
         if kind == "mask":
             edge = 0.5 * self._style.line_width - distance
-            return 0.5 + edge * spacing / self._pixel_widths()[face]
+            return 0.5 + edge * spacing / self._pixel_widths[face]
         if kind == "normal":
             return self._normals(face, distance, away)
         return distance if kind == "distance" else _height(distance)
@@ -237,31 +190,7 @@ class Tile:
         back = 1.0 - np.abs(2.0 * (along % 1.0) - 1.0)
         return np.where(closed[np.minimum(cut.strands, len(closed) - 1)[face]], back, along)
 
-    def _distances(
-        self, face: NDArray[np.int32], weights: NDArray[np.float64]
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """From the curve, at most the spacing, and the way from it in space, of any length.
-
-        Between corners a distance is no straight line, above all round the tips of turns: it is
-        that from the place on the curve between their nearest places, and in proportion to their
-        own distances where the surface bends on the way. It is never more than what lies straight
-        between corners, be it of their distances from this strand's turn or from any.
-        """
-        cut, spacing = self._mapped.cut, self._mapped.spacing
-        # No strand runs on some parts: they are as far away as can be.
-        corners = np.minimum(cut.face_distances, spacing)[face]
-        of_vertices = np.minimum(cut.distances, spacing)[cut.faces[face]]
-        between = (corners * weights).sum(axis=1)
-        places = cut.positions[cut.faces]
-        line = _Line(cut)
-        to_line = np.linalg.norm(places - line.at(cut.strands[:, None], cut.along), axis=2)[face]
-        point = np.einsum("nk,nkx->nx", weights, places[face])
-        away = point - line.at(cut.strands[face], (cut.along[face] * weights).sum(axis=1))
-        chords = (to_line * weights).sum(axis=1)
-        bent = np.divide(between, chords, out=np.ones_like(chords), where=chords > 0.0)
-        straight = np.linalg.norm(away, axis=1) * bent
-        return np.minimum(np.minimum(straight, between), (of_vertices * weights).sum(axis=1)), away
-
+    @cached_property
     def _pixel_widths(self) -> NDArray[np.float64]:
         """How wide a pixel is on the surface, for each face of the cut."""
         corners = self._mapped.cut.positions[self._mapped.cut.faces]
@@ -291,51 +220,6 @@ class Tile:
         return 0.5 + 0.5 * _unit(np.concatenate((slope, np.ones_like(slope[:, :1])), axis=1))
 
 
-class _Line:
-    """The curve of a cut by its arc length."""
-
-    def __init__(self, cut: core.CutSurface) -> None:
-        # Strands one behind the other, a closed one with its first point once more at its end.
-        keys, points = [np.zeros(0)], [np.zeros((0, 3))]
-        count = int(cut.line_strands.max()) + 2 if len(cut.line_strands) else 1
-        self._begin, self._length = np.zeros(count), np.full(count, np.inf)
-        begin = 0.0
-        for k, strand in enumerate(cut.line_strands):
-            first, last = cut.offsets[k], cut.offsets[k + 1]
-            self._begin[strand], self._length[strand] = begin, cut.lengths[k]
-            keys.append(begin + cut.arc_lengths[first:last])
-            points.append(cut.positions[cut.line_vertices[first:last]])
-            if cut.closed[k]:
-                keys.append(np.array([begin + cut.lengths[k]]))
-                points.append(points[-1][:1])
-            begin += 2.0 * cut.lengths[k]
-        self._keys, self._points = np.concatenate(keys), np.concatenate(points)
-
-    def at(self, strand: NDArray, along: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Points in space; of a closed strand, arc lengths beyond its end begin anew."""
-        strand = np.minimum(strand, len(self._begin) - 1)
-        length = self._length[strand]
-        within = np.where((along < 0.0) | (along > length), along % length, along)
-        key = self._begin[strand] + within
-        if not len(self._keys):
-            return np.zeros((*key.shape, 3))
-        columns = [np.interp(key, self._keys, self._points[:, k]) for k in range(3)]
-        return np.stack(columns, axis=-1)
-
-
-def _weights_at(corners: NDArray[np.float64], point: NDArray) -> NDArray[np.float64]:
-    """Barycentric weights of points in triangles, (n, 3); not a number in one without area."""
-    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        area = _cross(b - a, c - a)
-        first, second = _cross(b - point, c - point) / area, _cross(c - point, a - point) / area
-    return np.stack((first, second, 1.0 - first - second), axis=1)
-
-
-def _cross(a: NDArray, b: NDArray) -> NDArray:
-    return a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
-
-
 def _unit(vectors: NDArray[np.float64]) -> NDArray[np.float64]:
     lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
     return np.divide(vectors, lengths, out=np.zeros_like(vectors), where=lengths > 0.0)
@@ -358,21 +242,33 @@ def _steepness(distance: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def images(
-    mapped: Mapped, path: Path, kinds: Sequence[str], style: Style
+    mapped: Mapped,
+    path: Path,
+    kinds: Sequence[str],
+    style: Style,
+    context: core.Context | None = None,
+    progress: Callable[[float], None] = lambda share: None,
 ) -> tuple[dict[Path, bytes], float]:
     """Files beside the path NAME.png or NAME.exr: NAME_KIND.png, with UDIM numbers where there are
-    several tiles; and the largest overlap of a tile. Raises NoPlace."""
+    several tiles; and the largest overlap of a tile.
+
+    context    where it is cancelled, a core.MeanderError of the status CANCELLED is raised soon
+    progress   called with the share that is done, before every image
+
+    Raises NoPlace.
+    """
     tiles = mapped.tiles()
     problem = problem_of_tiles(tiles)
     if problem is not None:
         raise NoPlace(problem)
     files, overlap = {}, 0.0
-    for number in tiles:
-        tile = Tile(mapped, number, style)
+    for done, number in enumerate(tiles):
+        tile = Tile(mapped, number, style, context)
         overlap = max(overlap, tile.overlap)
-        for kind in kinds:
-            place = file_of(path, kind, number, len(tiles) > 1)
-            files[place] = tile.file(kind, path.suffix.lower())
+        for place, kind in enumerate(kinds, 1):
+            progress((done + place / (len(kinds) + 1)) / len(tiles))
+            name = file_of(path, kind, number, len(tiles) > 1)
+            files[name] = tile.file(kind, path.suffix.lower())
     return files, overlap
 
 

@@ -144,10 +144,16 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
         style = maps.Style(self.size, self.margin, self.line_width, self.depth, ramp)
         mapped = maps.Mapped.of(cut.cut, corners, cut.plan.spacing)
         path = self._with_suffix()
+        manager = context.window_manager
+        manager.progress_begin(0.0, 1.0)  # the mouse pointer shows it
         try:
-            images, overlap = maps.images(mapped, path, kinds, style)
+            images, overlap = maps.images(
+                mapped, path, kinds, style, progress=manager.progress_update
+            )
         except maps.NoPlace as problem:
             raise DataError(f"The UV map of '{surface.name}' {problem}") from problem
+        finally:
+            manager.progress_end()
         with whole_files(list(images)) as temporary:
             for image, (place, data) in zip(temporary, images.items(), strict=True):
                 with naming(place):

@@ -1538,6 +1538,47 @@ MEANDER_API meander_status meander_flow_cut_surface(const meander_flow* flow, do
                                                     uint32_t middle_lines, meander_cut* cut,
                                                     meander_context* context, meander_error* error);
 
+/* Finds which face of a flat drawing of triangles, such as the UV map of a cut, each pixel of a square image
+ * lies in: the last of those that its centre is in. The image is made in bands, by several threads.
+ *
+ * drawing     double[6 * face_count]: x and y of the three corners of each face, in pixels, whose centres are
+ *             whole numbers; y counts rows downwards from the top. Faces without area, and those with a
+ *             coordinate that is not finite, are on no pixel
+ * face_count  at most 2^30
+ * side        of the image, from 1 to 32768 pixels
+ * margin      this many pixels around what lies in faces get the face and the weights of their neighbours
+ * threads     0: as many as the machine has; at most 256; the result is the same
+ * nearest     receives int32_t[side * side]: the face of each pixel, row by row, -1 where there is none
+ * weights     receives float[3 * side * side]: weights of the corners of that face, sum 1; 0 where there is none
+ * covered     receives how many pixels lie in faces, without the margin
+ * twice       receives how many of them lie well inside of more than one face
+ * context     or NULL; asked before the work begins and all the while; where it has ended the work, what is in
+ *             the arrays means nothing. Any thread. */
+MEANDER_API meander_status meander_map_find_pixels(const double* drawing, size_t face_count, uint32_t side,
+                                                   uint32_t margin, uint32_t threads, int32_t* nearest,
+                                                   float* weights, size_t* covered, size_t* twice,
+                                                   meander_context* context, meander_error* error);
+
+/* Finds how far places of a cut surface are from the curve. Between corners that is the distance in space
+ * from the place on the curve between their nearest places, in proportion to their own distances where the
+ * surface bends on the way, and never more than what lies straight between corners.
+ *
+ * cut        prepared by meander_cut_init, with the arrays that meander_flow_cut_surface gave, or with copies
+ *            of them; only positions, distances, faces, strands, along, face_distances and the curve are read
+ * distance   the farthest; positive, in the units of the cut
+ * nearest    int32_t[point_count]: faces of the cut; -1: none, which has the distance 0
+ * weights    float[3 * point_count]: of the corners of these faces
+ * point_count  at most 2^30
+ * threads    0: as many as the machine has; at most 256; the result is the same
+ * distances  receives double[point_count]
+ * away       receives double[3 * point_count]: from the nearest place on the curve to each place; or NULL
+ * context    or NULL; as for meander_map_find_pixels. Any thread. */
+MEANDER_API meander_status meander_cut_measure_distances(const meander_cut* cut, double distance,
+                                                         const int32_t* nearest, const float* weights,
+                                                         size_t point_count, uint32_t threads,
+                                                         double* distances, double* away,
+                                                         meander_context* context, meander_error* error);
+
 #ifdef __cplusplus
 }
 #endif
