@@ -170,7 +170,7 @@ def test_the_command_says_it(tmp_path: Path, capsys) -> None:
     assert batch.main([str(word) for word in given]) == 0
     why = json.loads(report.read_text())["lines"]["why"]
     assert why in capsys.readouterr().out
-    named = re.fullmatch(r"the mesh has .* parts.*, which --merge-distance (\S+) would make one", why)
+    named = re.fullmatch(r"the mesh has .*, which --merge-distance (\S+) would make one", why)
     given += ["--merge-distance", named[1]]
     assert batch.main([str(word) for word in given]) == 0
     assert json.loads(report.read_text())["lines"] | {"closed": 0} == {

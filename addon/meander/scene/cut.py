@@ -17,6 +17,7 @@ from .blender_versions import keep_custom_normals
 from .curve_writer import place_beside
 from .evaluated import surface_mesh
 from .transforms import mean_scale, to_local
+from .triangulation import loops_of
 
 UV_MAP = "Ribbon"
 # Edges shorter than this, in spacings, are dissolved, and vertices as close to an edge become its
@@ -65,11 +66,8 @@ class Skin:
 def skin_of(surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Skin:
     """Reads a surface's materials, UV maps and shading. Raises DataError for what is no mesh."""
     with surface_mesh(surface, depsgraph) as (mesh, matrix):
-        mesh.calc_loop_triangles()
-        count = len(mesh.loop_triangles)
-        corners = np.empty(3 * count, dtype=np.int32)
-        mesh.loop_triangles.foreach_get("loops", corners)
-        polygons = np.empty(count, dtype=np.int32)
+        corners = loops_of(mesh)
+        polygons = np.empty(len(corners), dtype=np.int32)
         mesh.loop_triangles.foreach_get("polygon_index", polygons)
         materials = np.empty(len(mesh.polygons), dtype=np.int32)
         mesh.polygons.foreach_get("material_index", materials)
@@ -83,7 +81,6 @@ def skin_of(surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Skin:
             layer.data.foreach_get("uv", values)
             uv_maps.append((layer.name, values.reshape(-1, 2)))
         slots = [slot.material for slot in surface.material_slots]
-    corners = corners.reshape(-1, 3)
     if np.linalg.det(matrix[:3, :3]) < 0.0:  # as triangles_of() turns them
         corners = corners[:, ::-1]
     return Skin(

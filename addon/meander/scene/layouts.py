@@ -16,6 +16,7 @@ from .errors import DataError
 from .evaluated import surface_mesh
 from .meshes import triangles_of
 from .points import bind
+from .triangulation import loops_of
 
 
 def metres_of(scene: bpy.types.Scene) -> float:
@@ -58,10 +59,7 @@ def map_of(
     """The map at the corners of the triangles of triangles_of(), (n, 3, 2)."""
     with surface_mesh(surface, depsgraph) as (mesh, matrix):
         places = uv_of(mesh, uv_map, surface)
-        mesh.calc_loop_triangles()
-        corners = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
-        mesh.loop_triangles.foreach_get("loops", corners)
-    corners = corners.reshape(-1, 3)
+        corners = loops_of(mesh)
     if np.linalg.det(matrix[:3, :3]) < 0.0:
         corners = corners[:, ::-1]
     return places.astype(np.float64)[corners]

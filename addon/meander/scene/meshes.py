@@ -14,6 +14,7 @@ from .evaluated import is_evaluated, surface_mesh
 from .fillable import shows_curves, shows_instances
 from .rendered import rendering_of
 from .transforms import check_invertible, to_world, world_matrix
+from .triangulation import vertices_of
 
 
 def triangles_of(
@@ -30,12 +31,10 @@ def triangles_of(
     """
     with surface_mesh(object, depsgraph) as (mesh, matrix):
         check_invertible(object, matrix)
-        mesh.calc_loop_triangles()
         # float32 as stored: asking for float64 converts one value at a time.
         coordinates = np.empty(3 * len(mesh.vertices), dtype=np.float32)
         mesh.vertices.foreach_get("co", coordinates)
-        indices = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
-        mesh.loop_triangles.foreach_get("vertices", indices)
+        indices = vertices_of(mesh)
     if not len(indices):
         if shows_curves(object, depsgraph):
             raise DataError(
@@ -48,7 +47,7 @@ def triangles_of(
                 "its Geometry Nodes, or use Object > Apply > Make Instances Real"
             )
         raise DataError(f"'{object.name}' has no faces; choose a mesh with faces as the surface")
-    faces = indices.reshape(-1, 3).astype(np.uint32)
+    faces = indices.astype(np.uint32)
     if np.linalg.det(matrix[:3, :3]) < 0.0:
         faces = np.ascontiguousarray(faces[:, ::-1])
     return to_world(coordinates.reshape(-1, 3), matrix), faces
@@ -91,14 +90,12 @@ def surface_now(
     mesh = evaluated_surface.to_mesh()
     try:
         matrix = world_matrix(evaluated_surface)
-        mesh.calc_loop_triangles()
         coordinates = np.empty(3 * len(mesh.vertices), dtype=np.float32)
         mesh.vertices.foreach_get("co", coordinates)
-        indices = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
-        mesh.loop_triangles.foreach_get("vertices", indices)
+        indices = vertices_of(mesh)
     finally:
         evaluated_surface.to_mesh_clear()
-    faces = indices.reshape(-1, 3).astype(np.uint32)
+    faces = indices.astype(np.uint32)
     if np.linalg.det(matrix[:3, :3]) < 0.0:
         faces = np.ascontiguousarray(faces[:, ::-1])
     return to_world(coordinates.reshape(-1, 3), matrix), faces, matrix

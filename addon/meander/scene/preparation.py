@@ -21,6 +21,7 @@ from .evaluated import evaluated_copy, surface_mesh
 from .linked_settings import settings_of, settings_to_change
 from .meshes import polygons_of, vertex_group_weights
 from .transforms import to_world, world_matrix
+from .triangulation import vertices_of
 
 
 def repair_of(settings: bpy.types.PropertyGroup) -> Repair:
@@ -252,16 +253,14 @@ def locate_faults(surface: bpy.types.Object, radius: float) -> Located:
     Raises DataError where the mesh itself has none.
     """
     mesh: bpy.types.Mesh = surface.data
-    mesh.calc_loop_triangles()
-    triangles = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
-    mesh.loop_triangles.foreach_get("vertices", triangles)
+    triangles = vertices_of(mesh)
     coordinates = np.empty(3 * len(mesh.vertices), dtype=np.float32)
     mesh.vertices.foreach_get("co", coordinates)
     vertices = to_world(coordinates.reshape(-1, 3), world_matrix(surface))
     if not len(triangles):
         raise DataError(f"'{surface.name}' has no faces; add some, or choose another mesh")
     faults = core.find_faults(
-        vertices, triangles.reshape(-1, 3).astype(np.uint32), seam_width(vertices, radius)
+        vertices, triangles.astype(np.uint32), seam_width(vertices, radius)
     )
     if not len(faults.kinds):
         by = "its modifiers make them" if len(surface.modifiers) else "it has been corrected"

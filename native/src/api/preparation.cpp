@@ -80,29 +80,36 @@ std::shared_ptr<const Surface> surface_of(const PreparedMesh& mesh, unsigned thr
   }
 }
 
-/// The surface of a mesh that has nothing to be mended, or null. Nothing is then prepared, and the curve is that of the
-/// strict check to the last bit.
-std::shared_ptr<const Surface> faultless_surface(std::span<const double> vertices, std::span<const uint32_t> faces,
-                                                 const PrepareSettings& settings, unsigned threads,
-                                                 const CancelToken& cancel) {
+/// The surface of a mesh that passes the strict check, or null. Where it needs no mending nothing is prepared, and the
+/// curve is that of the strict check to the last bit.
+struct StrictSurface {
+  std::shared_ptr<const Surface> surface;
+  bool needs_mending = true;
+};
+
+StrictSurface strict_surface(std::span<const double> vertices, std::span<const uint32_t> faces,
+                             const PrepareSettings& settings, unsigned threads, const CancelToken& cancel) {
+  StrictSurface made;
   try {
-    auto surface = std::make_shared<const Surface>(vertices, faces, threads, cancel);
-    if (settings.drop_doubled && may_have_doubled_polygons(*surface, settings.polygons, cancel)) {
+    made.surface = std::make_shared<const Surface>(vertices, faces, threads, cancel);
+    const Surface& surface = *made.surface;
+    if (settings.drop_doubled && may_have_doubled_polygons(surface, settings.polygons, cancel)) {
       Soup soup(vertices, faces, cancel);
       soup.measure();
-      if (!find_doubled_polygons(soup, settings.polygons).faces.empty()) return nullptr;
+      if (!find_doubled_polygons(soup, settings.polygons).faces.empty()) return {};
     }
-    if (settings.weld_distance == 0) return surface;
     std::vector<uint32_t> boundary;
-    for (const HalfEdge e : surface->boundary()) {  // of a flipped face the half-edges 0 and 2 have changed places
-      boundary.push_back(surface->flipped(e / 3) ? 3 * (e / 3) + 2 - e % 3 : e);
+    for (const HalfEdge e : surface.boundary()) {  // of a flipped face the half-edges 0 and 2 have changed places
+      boundary.push_back(surface.flipped(e / 3) ? 3 * (e / 3) + 2 - e % 3 : e);
     }
     std::ranges::sort(boundary);
-    return has_seams(vertices, faces, std::move(boundary), settings.weld_distance, cancel) ? nullptr : surface;
+    made.needs_mending = settings.weld_distance > 0 &&
+                         has_seams(vertices, faces, std::move(boundary), settings.weld_distance, cancel);
   } catch (const Failure& failure) {
     if (failure.kind != FailureKind::kInvalidMesh) throw;
-    return nullptr;
+    return {};
   }
+  return made;
 }
 
 }  // namespace
@@ -117,12 +124,15 @@ std::unique_ptr<meander_surface> prepared_surface(std::span<const double> vertic
     return made;
   }
   check_numbers(vertices, faces);
-  if (settings.only_mends()) {
-    made->surface = faultless_surface(vertices, faces, settings, options.threads, cancel);
-    if (made->surface) return made;
-  }
+  StrictSurface strict;
+  if (settings.only_mends()) strict = strict_surface(vertices, faces, settings, options.threads, cancel);
+  made->surface = strict.surface;
+  if (!strict.needs_mending) return made;
   PreparedMesh mesh = prepare_mesh(vertices, faces, settings, cancel);
-  made->surface = surface_of(mesh, options.threads, cancel);
+  std::shared_ptr<const Surface> mended = surface_of(mesh, options.threads, cancel);
+  // Closing what looks like a seam is no mending where it takes a surface apart, as between the teeth of a comb.
+  if (strict.surface && mended->component_count() > strict.surface->component_count()) return made;
+  made->surface = std::move(mended);
   made->prepared = mesh.counts;
   made->map = std::make_shared<const MeshMap>(std::move(mesh.map));
   return made;

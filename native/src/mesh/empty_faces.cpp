@@ -3,16 +3,12 @@
 
 #include "base/disjoint_sets.h"
 #include "base/eigen.h"
-#include "mesh/mesh_check.h"
 #include "mesh/repairs.h"
 
 namespace meander {
 namespace {
 
 using Vec3 = Soup::Vec3;
-
-/// Faces flatter than this, and edges shorter, are dissolved: somewhat more than check_mesh refuses.
-constexpr double kFlat = 4 * kFlatFace;
 
 /// One pass over faces without area that do not touch each other.
 class Dissolving {
@@ -44,7 +40,7 @@ class Dissolving {
       if (length[k] < length[shortest]) shortest = k;
     }
     state_[f] = kTouched;
-    if (length[shortest] <= kFlat * soup_.diagonal()) {
+    if (length[shortest] <= kFlatForRepair * soup_.diagonal()) {
       counts_.merged_vertices += sets_.join(v[shortest], v[(shortest + 1) % 3]);
       return;
     }
@@ -101,14 +97,14 @@ void dissolve_faces_without_area(Soup& soup, PrepareCounts& counts) {
   // Chains of faces need several passes.
   constexpr int kMostPasses = 64;
   for (int pass = 0; pass < kMostPasses; ++pass) {
-    const std::vector<uint32_t> flat = faces_without_area(soup, kFlat);
+    const std::vector<uint32_t> flat = faces_without_area(soup, kFlatForRepair);
     if (flat.empty()) return;
     Dissolving(soup, counts).dissolve(flat);
   }
 }
 
 void drop_faces_without_area(Soup& soup, PrepareCounts& counts) {
-  counts.dropped_faces += soup.leave_out(faces_without_area(soup, kFlat));
+  counts.dropped_faces += soup.leave_out(faces_without_area(soup, kFlatForRepair));
 }
 
 std::vector<uint32_t> doubled_faces(Soup& soup) {

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/eigen.h"
 #include "base/elementary.h"
 #include "base/plane.h"
+#include "mesh/delaunay_flips.h"
+#include "mesh/repairs.h"
 
 namespace meander {
 namespace {
@@ -174,7 +177,15 @@ class EarCutter {
 class PolygonDivision {
  public:
   PolygonDivision(std::span<const double> vertices, PolygonTriangles& triangles)
-      : vertices_(vertices), triangles_(triangles) {}
+      : vertices_(vertices), triangles_(triangles) {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (uint32_t v = 0; v < vertices.size() / 3; ++v) {
+      if (!is_there(v)) continue;
+      low = low.cwiseMin(at(v));
+      high = high.cwiseMax(at(v));
+    }
+    diagonal_ = (high - low).norm();
+  }
 
   void divide(uint32_t polygon, std::span<const uint32_t> corners) {
     polygon_ = polygon;
@@ -264,18 +275,31 @@ class PolygonDivision {
       const Vec3 p = place(v);
       points_.push_back({p.dot(right), p.dot(up)});
     }
-    cutter_.cut(points_, [&](uint32_t a, uint32_t b, uint32_t c) {
-      if (ring_[a] == ring_[b] || ring_[b] == ring_[c] || ring_[c] == ring_[a]) return;  // along a bridge
+    ears_.clear();
+    cutter_.cut(points_, [&](uint32_t a, uint32_t b, uint32_t c) { ears_.push_back({a, b, c}); });
+    const double least = kFlatForRepair * diagonal_ / size_;
+    if (std::ranges::any_of(ears_, [&](const auto& ear) { return is_sliver(ear, least); })) {
+      flip_to_delaunay(points_, least, ears_);
+    }
+    for (const auto& [a, b, c] : ears_) {
+      if (ring_[a] == ring_[b] || ring_[b] == ring_[c] || ring_[c] == ring_[a]) continue;  // along a bridge
       add(ring_[a], ring_[b], ring_[c]);
-    });
+    }
+  }
+  /// Would it count as a face without area?
+  bool is_sliver(const std::array<uint32_t, 3>& ear, double least) const {
+    const Vec2 a = points_[ear[0]], b = points_[ear[1]], c = points_[ear[2]];
+    const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
+    return !(cross(b - a, c - a) > least * longest);
   }
 
   std::span<const double> vertices_;
   PolygonTriangles& triangles_;
   uint32_t polygon_ = 0;
-  double size_ = 1;
+  double size_ = 1, diagonal_ = 0;  // of the polygon, of all vertices
   std::vector<uint32_t> ring_;
   std::vector<Vec2> points_;
+  std::vector<std::array<uint32_t, 3>> ears_;
   EarCutter cutter_;
 };
 

@@ -19,6 +19,9 @@ struct PolygonTriangles {
 /// projection along its own normal (Newell), the next one on the far side of the last, so that slivers are few
 /// (Held, "FIST: Fast Industrial-Strength Triangulation of Polygons", 2001; Blender's BLI_polyfill_calc).
 ///
+/// Polygons of many thousand corners would have ears so flat that they count as faces without area. Where one has, the
+/// diagonals of its triangles are flipped until they are Delaunay's: nothing of the polygon's shape changes.
+///
 /// Parts of a polygon that go to a vertex and straight back have no area, and give no triangles. A polygon with a
 /// vertex that is not there, or not finite, is fanned from its first corner: others name what is wrong with it.
 ///

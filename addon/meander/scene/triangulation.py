@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The triangles of a Blender mesh: Blender's own, but for polygons of very many corners."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+
+from .. import core
+
+# Triangles this flat count as faces without area (kFlatForRepair of the library), as a share of the
+# size of the mesh.
+_FLAT = 4e-8
+
+
+def loops_of(mesh: bpy.types.Mesh) -> np.ndarray:
+    """The three loops of each triangle, int32 (m, 3), in the order of mesh.loop_triangles.
+
+    A polygon of which Blender makes slivers, such as a traced logo of 40,000 corners, is divided by
+    the library instead, into as many triangles.
+    """
+    mesh.calc_loop_triangles()
+    loops = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
+    mesh.loop_triangles.foreach_get("loops", loops)
+    loops = loops.reshape(-1, 3)
+    if _has_ngons(mesh):
+        _divide_slivers(mesh, loops)
+    return loops
+
+
+def vertices_of(mesh: bpy.types.Mesh) -> np.ndarray:
+    """The same with the three vertices of each triangle."""
+    return _corners_of(mesh)[loops_of(mesh)]
+
+
+def _has_ngons(mesh: bpy.types.Mesh) -> bool:
+    totals = np.empty(len(mesh.polygons), dtype=np.int32)
+    mesh.polygons.foreach_get("loop_total", totals)
+    return bool((totals > 4).any())
+
+
+def _corners_of(mesh: bpy.types.Mesh) -> np.ndarray:
+    corners = np.empty(len(mesh.loops), dtype=np.int32)
+    mesh.loops.foreach_get("vertex_index", corners)
+    return corners
+
+
+def _divide_slivers(mesh: bpy.types.Mesh, loops: np.ndarray) -> None:
+    """Puts the library's triangles into the places of those of polygons that have slivers."""
+    places = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+    mesh.vertices.foreach_get("co", places)
+    places = places.reshape(-1, 3).astype(np.float64)
+    polygons = np.empty(len(loops), dtype=np.int32)
+    mesh.loop_triangles.foreach_get("polygon_index", polygons)
+    begins, totals = (np.empty(len(mesh.polygons), dtype=np.int32) for _ in range(2))
+    mesh.polygons.foreach_get("loop_start", begins)
+    mesh.polygons.foreach_get("loop_total", totals)
+    of_ngons = np.flatnonzero(totals[polygons] > 4)
+    corners = _corners_of(mesh)
+    a, b, c = places[corners[loops[of_ngons]]].transpose(1, 0, 2)
+    sides = np.stack([b - a, c - b, a - c])
+    longest = np.linalg.norm(sides, axis=2).max(axis=0)
+    heights = np.linalg.norm(np.cross(sides[0], sides[1]), axis=1)
+    flat = heights <= _FLAT * np.linalg.norm(np.ptp(places, axis=0)) * longest
+    wanted = np.unique(polygons[of_ngons[flat]])
+    if not len(wanted):
+        return
+    # Loops for vertices, so that the triangles say which; all places, since the size of the mesh
+    # decides what is flat.
+    everywhere = np.concatenate([places[corners], places])
+    given = [np.arange(begins[k], begins[k] + totals[k]) for k in wanted]
+    ends = np.cumsum([len(one) for one in given])
+    found, sources = core.triangulated(everywhere, np.concatenate(given), ends)
+    for place, polygon in enumerate(wanted):
+        own, slots = found[sources == place], np.flatnonzero(polygons == polygon)
+        if len(own) == len(slots):
+            loops[slots] = own
