@@ -108,10 +108,8 @@ def images_of(
     mapped = maps.Mapped.of(cut, corners, arguments.spacing)
     try:
         kinds, style = arguments.map_kinds or maps.KINDS, _style(arguments)
-        images, overlap = interruptible(
-            lambda context: maps.images(
-                mapped, arguments.maps, kinds, style, context, _saying(place)
-            )
+        images, overlap = maps.images(
+            mapped, arguments.maps, kinds, style, progress=_saying(place)
         )
     except maps.NoPlace as problem:
         raise BadInput(f"--maps is not possible here: the UV map {problem}") from problem

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include <Eigen/Geometry>
+#include "base/eigen.h"
 
 #include "base/disjoint_sets.h"
 #include "mesh/repairs.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
+#include "base/eigen.h"
 
 #include "base/cancel_token.h"
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
+#include "base/eigen.h"
 
 #include "base/thread_pool.h"
 
