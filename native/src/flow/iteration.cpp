@@ -34,7 +34,8 @@ void Iteration::lay(size_t drawn) {
 void Iteration::lay_in_empty(size_t trunks) {
   const Domain& domain = given_.domain;
   FullStart laid = full_start(*domain.surface, given_.curve, trunks, domain.radius, domain.directions,
-                              domain.patches.get(), given_.settings.boundary_distance, pool_);
+                              domain.patches.get(), given_.settings.boundary_distance, pool_,
+                              domain.asked_radius.varies());
   figures_.laid = laid.laid_any();
   report_ = given_.start;
   if (plan_.phase == Phase::kStarting) {

@@ -19,6 +19,27 @@
 
 namespace meander {
 
+/// A value that is turned on its way, or mirrored and turned, or a sum of both: z becomes turned z + mirrored conj(z).
+struct Mirroring {
+  Vec2 turned, mirrored;
+
+  Vec2 of(Vec2 z) const { return turned * z + mirrored * meander::conj(z); }
+};
+inline Mirroring operator+(const Mirroring& a, const Mirroring& b) {
+  return {a.turned + b.turned, a.mirrored + b.mirrored};
+}
+/// First b, then a.
+inline Mirroring operator*(const Mirroring& a, const Mirroring& b) {
+  return {a.turned * b.turned + a.mirrored * conj(b.mirrored), a.turned * b.mirrored + a.mirrored * conj(b.turned)};
+}
+/// What carries values back, where lengths stay.
+inline Mirroring conj(const Mirroring& a) { return {conj(a.turned), a.mirrored}; }
+/// The larger part, of length 1.
+inline Mirroring unit(const Mirroring& a) {
+  if (dot(a.turned, a.turned) >= dot(a.mirrored, a.mirrored)) return {unit(a.turned), {}};
+  return {{}, unit(a.mirrored)};
+}
+
 /// What is off the diagonal, with the opposite sign: symmetric, or Hermitian where it is complex.
 template <class Weight>
 struct Couplings {
@@ -36,14 +57,23 @@ struct Couplings {
 /// Rows in pairs, or alone where no neighbour was left.
 template <class Weight>
 struct Pairs {
-  static constexpr bool kTurns = std::is_same_v<Weight, Vec2>;
+  static constexpr bool kTurns = !std::is_same_v<Weight, double>;
+  static constexpr Weight kSame = [] {
+    if constexpr (std::is_same_v<Weight, Mirroring>) {
+      return Mirroring{{1, 0}, {}};
+    } else if constexpr (kTurns) {
+      return Vec2{1, 0};
+    } else {
+      return 1.0;
+    }
+  }();
   uint32_t count = 0;
   std::vector<uint32_t> of;    ///< per row: its pair
   std::vector<Weight> carry;   ///< per row: a unit number, times which the pair's value is the row's; empty: all are 1
 
   /// Joins every row to the neighbour that it is tied to most, if that one is free: at most half as many are left.
   Pairs(const Couplings<Weight>& rows, CancelToken& poll) : of(rows.size(), kNone) {
-    if constexpr (kTurns) carry.assign(rows.size(), {1, 0});
+    if constexpr (kTurns) carry.assign(rows.size(), kSame);
     for (uint32_t i = 0; i < rows.size(); ++i) {
       poll();
       if (of[i] != kNone) continue;
@@ -91,6 +121,7 @@ struct Pairs {
  private:
   static double size_of(double w) { return w; }
   static double size_of(Vec2 w) { return dot(w, w); }
+  static double size_of(const Mirroring& w) { return dot(w.turned, w.turned) + dot(w.mirrored, w.mirrored); }
 };
 
 }  // namespace meander

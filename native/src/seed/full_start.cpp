@@ -10,6 +10,7 @@
 #include "mesh/line_relaxation.h"
 #include "mesh/strips.h"
 #include "seed/guide_samples.h"
+#include "seed/level_lines.h"
 #include "seed/line_tree.h"
 #include "seed/streamlines.h"
 #include "seed/tree_tour.h"
@@ -183,7 +184,7 @@ std::vector<LineTree> trees_to_walk(const Curve& first, size_t drawn, const std:
 
 FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
                      const LineField& field, const SurfacePatches* patches, double boundary_distance,
-                     ThreadPool& pool) {
+                     ThreadPool& pool, bool density) {
   std::unique_ptr<const SurfacePatches> own;
   if (!patches) {
     own = std::make_unique<const SurfacePatches>(surface, radius, kClamp, pool);
@@ -203,8 +204,14 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
   const CancelToken poll = pool.poll(kPieces);
   const LineField whole = completed(surface, field, radius, poll);
+  std::vector<std::vector<SurfacePoint>> first_lines;
+  if (density) {
+    const StripePhase phase(surface, whole, radius, spacing.apart, 2 * boundary_distance + 1, poll);
+    first_lines = level_lines(surface, phase, radius, spacing.step, poll);
+    spacing.least = kLeastAlong;
+  }
   const size_t before = lines.size();
-  draw_streamlines(whole, radius, spacing, network, poll, lines);
+  draw_streamlines(whole, radius, spacing, first_lines, network, poll, lines);
   trunks.prolong(whole, before, network, lines, poll);
 
   FullStart start;

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <optional>
 
-#include "geodesic/geodesic_trace.h"
+#include "geodesic/chart.h"
 
 namespace meander {
 namespace {
@@ -28,6 +28,9 @@ constexpr size_t kEvery = 4;
 /// A line that is shorter than this, in units of `apart`, is not drawn, nor is one between others that is shorter than
 /// the second. Where a part of the surface has no other one it may be as short as the third.
 constexpr double kShortest = 1, kShortestBetween = 2, kShortestAlone = 0.25;
+
+/// Nor one that is laid and shorter than this.
+constexpr double kShortestLaid = 1;
 
 /// Between others lines begin in gaps that are narrower by this, in r, from turn to turn.
 constexpr double kNarrower = 0.2;
@@ -64,7 +67,8 @@ class Drawer {
   Drawer(const LineField& field, const RadiusField& radius, const LineSpacing& spacing, LineNetwork& network,
          CancelToken poll, std::vector<Streamline>& lines)
       : field_(field), radius_(radius), spacing_(spacing), network_(network), s_(network.surface()), poll_(poll),
-        lines_(lines), trunks_(lines.size()), drawn_(s_.component_count(), 0), wanted_(s_.component_count(), 0),
+        shortener_(s_), lines_(lines), trunks_(lines.size()), drawn_(s_.component_count(), 0),
+        wanted_(s_.component_count(), 0),
         has_line_(s_.component_count(), 0), crowded_(network.patch_count()) {
     for (uint32_t f = 0; f < s_.face_count(); ++f) {
       const double r = radius_.at(s_, make_point(f, 1, 1, 1));
@@ -72,11 +76,12 @@ class Drawer {
     }
   }
 
-  void draw() {
+  void draw(std::span<const std::vector<SurfacePoint>> laid) {
     for (const Streamline& trunk : lines_) {
       has_line_[s_.component(network_.nodes()[trunk.nodes[0]].point.face)] = 1;
       offer_beside(trunk, spacing_.from_walls);
     }
+    for (const std::vector<SurfacePoint>& points : laid) lay(points);
     offer_along_boundary();
     fill(spacing_.apart, kShortest);
     fill(spacing_.apart, kShortestAlone);
@@ -242,6 +247,46 @@ class Drawer {
     lines_.push_back(std::move(drawn));
   }
 
+  /// Draws a line through points, in several where it has to end between.
+  void lay(const std::vector<SurfacePoint>& points) {
+    for (size_t k = 0; k < points.size();) {
+      const LineNetwork::Mark mark = network_.mark();
+      LineNetwork::Node node = network_.make_node(points[k], static_cast<uint32_t>(lines_.size()), 0);
+      ++k;
+      poll_();
+      if (crowding(node, false) > 0) continue;
+      Streamline drawn;
+      drawn.nodes.push_back(network_.add_node(node));
+      for (; k < points.size() && go_on(points[k], drawn.nodes); ++k) poll_();
+      const double length = network_.nodes()[drawn.nodes.back()].arc;
+      if (length < kShortestLaid * spacing_.apart) {
+        network_.take_back(mark);
+        continue;
+      }
+      const uint32_t component = s_.component(node.point.face);
+      drawn_[component] += length + kLink;
+      has_line_[component] = 1;
+      lines_.push_back(std::move(drawn));
+    }
+  }
+
+  /// Leads a line on to a point; false where it has to end.
+  bool go_on(const SurfacePoint& p, std::vector<uint32_t>& nodes) {
+    const uint32_t from = nodes.back();
+    const LineNetwork::Node here = network_.nodes()[from];
+    const LineNetwork::Node node = network_.make_node(p, here.line, here.arc + spacing_.step);
+    if (crowding(node, false) > 0) return false;
+    Chart chart = Chart::at(here.point, here.place);
+    if (!chart.advance_to(s_, p, node.place, 2 * spacing_.step * std::max(here.radius, node.radius))) return false;
+    Path path;
+    trace_geodesic(s_, here.point, chart.place, path);
+    const auto shape = shortener_.adopt(here.point, p, path);
+    if (!shape || !(shape->length > 0) || network_.touches(from, kNone, p, path)) return false;
+    nodes.push_back(network_.add_node(node));
+    network_.add_edge(from, nodes.back(), std::move(path), *shape);
+    return true;
+  }
+
   void offer_beside(const Streamline& line, double apart) {
     for (size_t k = 0; k < line.nodes.size(); k += kEvery) offer_beside(network_.nodes()[line.nodes[k]], apart);
   }
@@ -309,6 +354,7 @@ class Drawer {
   LineNetwork& network_;
   const Surface& s_;
   CancelToken poll_;
+  PathShortener shortener_;
   double apart_ = 0, shortest_ = 0;  // of the lines that are drawn
   std::vector<Streamline>& lines_;
   size_t trunks_;                       // the first of them
@@ -326,8 +372,9 @@ class Drawer {
 }  // namespace
 
 void draw_streamlines(const LineField& field, const RadiusField& radius, const LineSpacing& spacing,
-                      LineNetwork& network, CancelToken poll, std::vector<Streamline>& lines) {
-  if (!field.empty()) Drawer(field, radius, spacing, network, poll, lines).draw();
+                      std::span<const std::vector<SurfacePoint>> laid, LineNetwork& network, CancelToken poll,
+                      std::vector<Streamline>& lines) {
+  if (!field.empty()) Drawer(field, radius, spacing, network, poll, lines).draw(laid);
 }
 
 }  // namespace meander

@@ -4,6 +4,7 @@
 // Density", 1997; on meshes: Spencer, Laramee, Chen and Zhang, "Evenly Spaced Streamlines for Surfaces", 2009).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/thread_pool.h"
@@ -42,8 +43,10 @@ struct LineSpacing {
 /// step, a line ends.
 ///
 /// `radius`  r, which may vary
+/// `laid`    lines that are there first, each as points `step` apart: as far as they keep these distances
 /// `poll`    is called for every node
 void draw_streamlines(const LineField& field, const RadiusField& radius, const LineSpacing& spacing,
-                      LineNetwork& network, CancelToken poll, std::vector<Streamline>& lines);
+                      std::span<const std::vector<SurfacePoint>> laid, LineNetwork& network, CancelToken poll,
+                      std::vector<Streamline>& lines);
 
 }  // namespace meander

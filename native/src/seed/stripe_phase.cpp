@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "seed/stripe_phase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "base/elementary.h"
+#include "mesh/aggregates.h"
+
+namespace meander {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+/// Edges are halved until they are not longer than this, in r: a third of a turn across lines 4 r apart. With .9 lines
+/// are as even.
+constexpr double kLongestEdge = 1.4;
+
+/// Rounds of sweeps on every level, each with numbers of length 1 in the end; less often on the finest ones, on which
+/// most of the time goes. Twice as many: lines as even. A round is as many sweeps forwards, and backwards.
+constexpr int kRounds = 3, kFineRounds = 1, kSweepsOfRound = 2;
+constexpr size_t kFinest = 2;
+
+/// The field has no direction in a face where a corner's differs by more than 60 degrees (a cosine) from the middle's,
+/// or where it is this weak.
+constexpr double kLeastAgreement = 0.5, kLeastStrength = 1e-6;
+
+/// The boundary holds the phase where the field is within 30 degrees (a cosine) of it, with a weight of this share of
+/// an edge's.
+constexpr double kAlongBoundary = 0.866, kHold = 1;
+
+/// Cotangents below this count as this.
+constexpr double kLeastWeight = 0.05;
+
+Vec2 turned_by(double angle) { return {elementary::cos(angle), elementary::sin(angle)}; }
+
+/// The longest edge of a face, and its length over that which it may have.
+std::pair<HalfEdge, double> longest_edge(const RefinedSurface& mesh, const RadiusField& radius, const Surface& s,
+                                         uint32_t f) {
+  const auto corners = mesh.corners(f);
+  const HalfEdge longest =
+      *std::ranges::max_element(corners, {}, [&](HalfEdge h) { return mesh.length(h); });
+  const SurfacePoint middle{mesh.origin(f), mesh.at_share(longest, 0.5)};
+  return {longest, mesh.length(longest) / (kLongestEdge * radius.at(s, middle))};
+}
+
+/// Halves the longest edge of every face until none is too long: those that are it most first, since halving an edge
+/// of a small face beside a large one would leave slivers of that.
+void divide(const Surface& s, const RadiusField& radius, RefinedSurface& mesh, CancelToken& poll) {
+  double most = 0;
+  for (uint32_t f = 0; f < mesh.face_count(); ++f) {
+    poll();
+    most = std::max(most, longest_edge(mesh, radius, s, f).second);
+  }
+  while (most > 1) {
+    most = std::max(most / std::numbers::sqrt2, 1.0);
+    for (uint32_t f = 0; f < mesh.face_count(); ++f) {
+      for (auto longest = longest_edge(mesh, radius, s, f); longest.second > most;
+           longest = longest_edge(mesh, radius, s, f)) {
+        poll();
+        mesh.split_edge(longest.first, mesh.add_vertex(mesh.middle(longest.first)), 0.5);
+      }
+    }
+  }
+}
+
+/// The system of one level and the pairs of the next, coarser one.
+struct PhaseLevel {
+  Couplings<Mirroring> edges;
+  Pairs<Mirroring> pairs;
+  std::vector<Vec2> held;  // per row: what holds it, times the weight of that
+};
+
+double size_of(const Mirroring& m) { return std::sqrt(dot(m.turned, m.turned) + dot(m.mirrored, m.mirrored)); }
+
+void relax_phase(const Couplings<Mirroring>& edges, const std::vector<Vec2>& held, int rounds,
+                 std::vector<Vec2>& values, CancelToken& poll) {
+  const size_t count = edges.size();
+  std::vector<double> share(count, 0);
+  for (size_t i = 0; i < count; ++i) {
+    double weight = norm(held[i]);
+    for (uint32_t e = edges.start[i]; e < edges.start[i + 1]; ++e) weight += size_of(edges.weight[e]);
+    if (weight > 0) share[i] = 1 / weight;
+  }
+  for (int round = 0; round < rounds; ++round) {
+    for (int sweep = 0; sweep < 2 * kSweepsOfRound; ++sweep) {
+      for (size_t k = 0; k < count; ++k) {
+        poll();
+        const size_t i = sweep % 2 == 0 ? k : count - 1 - k;
+        if (!(share[i] > 0)) continue;
+        Vec2 sum = held[i];
+        for (uint32_t e = edges.start[i]; e < edges.start[i + 1]; ++e) {
+          sum = sum + edges.weight[e].of(values[edges.neighbour[e]]);
+        }
+        values[i] = share[i] * sum;
+      }
+    }
+    for (Vec2& value : values) value = norm(value) > 0 ? unit(value) : Vec2{1, 0};
+  }
+}
+
+}  // namespace
+
+/// What is known while the phase is found.
+class StripePhase::Relaxation {
+ public:
+  Relaxation(const Surface& surface, const LineField& field, const RadiusField& radius, double apart,
+             StripePhase& phase, CancelToken poll)
+      : s_(surface), field_(field), radius_(radius), apart_(apart), phase_(phase), mesh_(phase.mesh_), poll_(poll) {}
+
+  void run(double from_boundary) {
+    divide(s_, radius_, mesh_, poll_);
+    find_signs();
+    look_at_faces();
+    Couplings<Mirroring> edges = couplings();
+    std::vector<Vec2> held = holds(kTurn * from_boundary / apart_);
+    std::vector<PhaseLevel> levels;
+    while (true) {
+      Pairs<Mirroring> pairs(edges, poll_);
+      if (pairs.count == edges.size()) break;
+      std::vector<Vec2> sums(pairs.count);
+      for (size_t i = 0; i < edges.size(); ++i) {
+        Vec2& sum = sums[pairs.of[i]];
+        sum = sum + conj(pairs.carry[i]).of(held[i]);
+      }
+      Couplings<Mirroring> coarse = pairs.joined(edges, poll_);
+      levels.push_back(
+          {std::exchange(edges, std::move(coarse)), std::move(pairs), std::exchange(held, std::move(sums))});
+    }
+    values_.assign(edges.size(), {1, 0});
+    for (size_t k = levels.size(); k-- > 0;) {
+      const PhaseLevel& level = levels[k];
+      std::vector<Vec2> finer(level.edges.size());
+      for (size_t i = 0; i < finer.size(); ++i) finer[i] = level.pairs.carry[i].of(values_[level.pairs.of[i]]);
+      values_ = std::move(finer);
+      relax_phase(level.edges, level.held, k < kFinest ? kFineRounds : kRounds, values_, poll_);
+    }
+    find_crossings();
+  }
+
+ private:
+  SurfacePoint point(HalfEdge corner) const { return {mesh_.origin(mesh_.face(corner)), mesh_.at(corner)}; }
+  Vec2 place(HalfEdge corner) const { return flat(s_, point(corner)); }
+  /// Along a half-edge of a face, in the plane of the origin of that.
+  Vec2 along(HalfEdge h) const { return place(mesh_.next(h)) - place(h); }
+  /// The line at a corner as its vertex sees it, in the plane of its face.
+  Vec2 line(HalfEdge corner) const { return sign_[corner] * unit(field_.at(point(corner))); }
+
+  /// Vertices choose a sign of the field, in one of their faces, and take it round to the others.
+  void find_signs() {
+    sign_.assign(mesh_.half_edge_count(), 1);
+    for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+      poll_();
+      HalfEdge last = kNone;
+      mesh_.each_leaving(v, [&](HalfEdge h) {
+        if (last != kNone) {
+          // The edge between both, as either sees it.
+          const Vec2 turn = unit(along(h)) * conj(unit(-along(mesh_.prev(last))));
+          if (dot(line(last) * turn, line(h)) < 0) sign_[h] = -1;
+        }
+        last = h;
+      });
+    }
+  }
+
+  Vec2 line_of_face(uint32_t f) const {
+    const auto [a, b, c] = mesh_.corners(f);
+    return field_.at({mesh_.origin(f), (1.0 / 3) * (mesh_.at(a) + mesh_.at(b) + mesh_.at(c))});
+  }
+
+  void look_at_faces() {
+    phase_.directed_.assign(mesh_.face_count(), 0);
+    side_.assign(mesh_.half_edge_count(), 1);
+    for (uint32_t f = 0; f < mesh_.face_count(); ++f) {
+      poll_();
+      const Vec2 middle = line_of_face(f);
+      bool directed = norm(middle) > kLeastStrength;
+      for (const HalfEdge corner : mesh_.corners(f)) {
+        const double cosine = dot(unit(middle), line(corner));
+        side_[corner] = cosine < 0 ? -1 : 1;
+        directed = directed && std::abs(cosine) >= kLeastAgreement;
+      }
+      phase_.directed_[f] = directed;
+    }
+  }
+
+  /// By how much the phase is to rise along a half-edge, to the left of the line of its face.
+  double rise(HalfEdge h) const {
+    const SurfacePoint middle{mesh_.origin(mesh_.face(h)), mesh_.at_share(h, 0.5)};
+    Vec2 line = unit(field_.at(middle));
+    if (dot(line, line_of_face(mesh_.face(h))) < 0) line = -line;
+    return kTurn / (apart_ * radius_.at(s_, middle)) * dot(Vec2{0, 1} * line, along(h));
+  }
+
+  double weight(HalfEdge h) const {
+    const Vec2 a = place(h) - place(mesh_.prev(h)), b = place(mesh_.next(h)) - place(mesh_.prev(h));
+    return std::max(0.5 * dot(a, b) / cross(a, b), kLeastWeight);
+  }
+
+  /// What the vertex at the start of a half-edge of a face takes from that at its end, and the other way.
+  Mirroring from_end(HalfEdge h) const { return carried(h, mesh_.next(h), -rise(h)); }
+  Mirroring from_start(HalfEdge h) const { return carried(mesh_.next(h), h, rise(h)); }
+  Mirroring carried(HalfEdge to, HalfEdge from, double angle) const {
+    const Vec2 turn = turned_by(side_[to] * angle);
+    return side_[to] == side_[from] ? Mirroring{turn, {}} : Mirroring{{}, turn};
+  }
+
+  Couplings<Mirroring> couplings() {
+    Couplings<Mirroring> edges;
+    for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+      poll_();
+      const auto add = [&](uint32_t to, double weight, const Mirroring& m) {
+        const Mirroring part{weight * m.turned, weight * m.mirrored};
+        for (size_t k = edges.start.back(); k < edges.neighbour.size(); ++k) {
+          if (edges.neighbour[k] == to) {
+            edges.weight[k] = edges.weight[k] + part;
+            return;
+          }
+        }
+        edges.add(to, part);
+      };
+      mesh_.each_leaving(v, [&](HalfEdge h) {
+        if (!phase_.directed_[mesh_.face(h)]) return;
+        const HalfEdge before = mesh_.prev(h);
+        add(mesh_.to(h), weight(h), from_end(h));
+        add(mesh_.from(before), weight(before), from_start(before));
+      });
+      edges.end_row();
+    }
+    return edges;
+  }
+
+  /// Along the boundary, what holds vertices: `angle` is the phase there, outwards.
+  std::vector<Vec2> holds(double angle) {
+    std::vector<Vec2> held(mesh_.vertex_count());
+    for (HalfEdge h = 0; h < mesh_.half_edge_count(); ++h) {
+      if (mesh_.face(h) == kNone || mesh_.face(RefinedSurface::opposite(h)) != kNone) continue;
+      poll_();
+      const Vec2 edge = unit(along(h));
+      for (const HalfEdge corner : {h, mesh_.next(h)}) {
+        const Vec2 here = line(corner);
+        if (std::abs(dot(edge, here)) < kAlongBoundary) continue;
+        const double outwards = dot(Vec2{0, 1} * here, Vec2{0, -1} * edge) < 0 ? -1 : 1;
+        const uint32_t v = mesh_.from(corner);
+        held[v] = held[v] + kHold * turned_by(outwards * angle);
+      }
+    }
+    return held;
+  }
+
+  void find_crossings() {
+    phase_.crossing_.assign(mesh_.half_edge_count() / 2, -1);
+    for (HalfEdge low = 0; low < mesh_.half_edge_count(); low += 2) {
+      poll_();
+      HalfEdge h = low;
+      const auto bad = [&] { return mesh_.face(h) == kNone || !phase_.directed_[mesh_.face(h)]; };
+      if (bad()) h = RefinedSurface::opposite(low);
+      if (bad()) continue;
+      const auto value = [&](HalfEdge corner) {
+        const Vec2 z = values_[mesh_.from(corner)];
+        return side_[corner] < 0 ? conj(z) : z;
+      };
+      const Vec2 a = value(h), b = value(mesh_.next(h)), expected = turned_by(rise(h));
+      const Vec2 beyond = b * conj(a * expected);
+      const double start = elementary::atan2(a.y, a.x);
+      const double by = rise(h) + elementary::atan2(beyond.y, beyond.x), end = start + by;
+      const double turn = std::round((start + 0.5 * by) / kTurn) * kTurn;
+      if (!((start < turn) != (end < turn))) continue;
+      const double share = std::clamp((turn - start) / by, 0.01, 0.99);
+      phase_.crossing_[low / 2] = h == low ? share : 1 - share;
+    }
+  }
+
+  const Surface& s_;
+  const LineField& field_;
+  const RadiusField& radius_;
+  double apart_;
+  StripePhase& phase_;
+  RefinedSurface& mesh_;
+  CancelToken poll_;
+  std::vector<int8_t> sign_;  // per half-edge: of the line at its corner, as the vertex sees it
+  std::vector<int8_t> side_;  // per half-edge: of that line, as its face sees it
+  std::vector<Vec2> values_;  // per row
+};
+
+StripePhase::StripePhase(const Surface& surface, const LineField& field, const RadiusField& radius, double apart,
+                         double from_boundary, CancelToken poll)
+    : mesh_(surface, true, poll) {
+  Relaxation(surface, field, radius, apart, *this, poll).run(from_boundary);
+}
+
+}  // namespace meander
