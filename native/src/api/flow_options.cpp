@@ -194,8 +194,9 @@ double checked_radius(double radius, const Surface& surface) {
   }
   if (4 * r * r > surface.area()) {
     const double side = surface.scale() * std::sqrt(surface.area());
-    refuse("The spacing " + number(2 * radius) + " is larger than the side of a square of the surface's area, which is " +
-           number(side) + "; choose a smaller spacing.");
+    refuse("The spacing " + number(2 * radius) +
+           " is larger than the side of a square of the surface's area, which is " + number(side) +
+           "; choose a smaller spacing.");
   }
   return r;
 }

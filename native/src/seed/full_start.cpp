@@ -160,7 +160,8 @@ std::vector<uint32_t> largest_trees(const Curve& first, const std::vector<uint8_
   return best;
 }
 
-/// The trees that take the place of strands: those of trunks that lines have joined or prolonged, and the largest of each region.
+/// The trees that take the place of strands: those of trunks that lines have joined or prolonged, and the largest of
+/// each region.
 std::vector<LineTree> trees_to_walk(const Curve& first, size_t drawn, const std::vector<uint8_t>& stays,
                                     const Trunks& trunks, const std::vector<Streamline>& lines,
                                     const std::vector<uint32_t>& tree, const LineNetwork& network, Regions& regions) {
@@ -169,7 +170,8 @@ std::vector<LineTree> trees_to_walk(const Curve& first, size_t drawn, const std:
   std::vector<LineTree> trees;
   for (size_t k = 0; k < trunks.strands.size(); ++k) {
     const uint32_t strand = trunks.strands[k];
-    if ((has_lines[tree[k]] || trunks.prolonged[k]) && !stays[strand]) trees.push_back({strand, kNone, trunks.trunks[k]});
+    const bool grown = has_lines[tree[k]] || trunks.prolonged[k];
+    if (grown && !stays[strand]) trees.push_back({strand, kNone, trunks.trunks[k]});
   }
   std::vector<uint8_t> wants(first.strands.size(), 0);
   for (size_t k = drawn; k < wants.size(); ++k) wants[k] = !first.strands[k].guide && !stays[k];

@@ -31,11 +31,11 @@ struct FullStart {
   bool laid_any() const { return std::ranges::find(strands, StrandStart::kLaid) != strands.end(); }
 };
 
-/// Replaces the loops of a first curve, one in each region of the surface, by curves that fill them: lines along a field
-/// lie four radii apart, short links join them to a tree, and the curve walks round it on both sides. The lines are
-/// streamlines, or those of a StripePhase where r varies by a density. A strand that was drawn to grow is a trunk: it
-/// keeps its ends, its fixed nodes and its sides, and trees leave it on either one, wherever there is room beside it:
-/// one that fills its region stays as it is. Guides and the boundary are walls.
+/// Replaces the loops of a first curve, one in each region of the surface, by curves that fill them: lines along a
+/// field lie four radii apart, short links join them to a tree, and the curve walks round it on both sides. The lines
+/// are streamlines, or those of a StripePhase where r varies by a density. A strand that was drawn to grow is a trunk:
+/// it keeps its ends, its fixed nodes and its sides, and trees leave it on either one, wherever there is room beside
+/// it: one that fills its region stays as it is. Guides and the boundary are walls.
 ///
 /// What cannot be laid without a crossing is left out where it is: a link, a tip, a line, and a strand stays as it was
 /// only where nothing else can be laid.

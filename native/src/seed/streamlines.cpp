@@ -45,8 +45,8 @@ constexpr double kRoom = 0.97;
 /// from one another, are then nearer to the spacing than two at half of it.
 constexpr double kStem = 8, kTwoLines = 16.0 / 3;
 
-/// The boundary is on both sides of a place where two directions to it are so opposed (a cosine), and the place is in the
-/// middle of a narrow strip where it is farther from the nearer side than this share of the width.
+/// The boundary is on both sides of a place where two directions to it are so opposed (a cosine), and the place is in
+/// the middle of a narrow strip where it is farther from the nearer side than this share of the width.
 constexpr double kOpposite = -0.8, kFromMiddle = 0.3;
 
 /// The field runs along the boundary where one of the two ways across it ends within this, in r.

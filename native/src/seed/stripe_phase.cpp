@@ -12,7 +12,7 @@
 namespace meander {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kWholeTurn = 2 * std::numbers::pi;
 
 /// Edges are halved until they are not longer than this, in r: a third of a turn across lines 4 r apart. With .9 lines
 /// are as even.
@@ -115,7 +115,7 @@ class StripePhase::Relaxation {
     find_signs();
     look_at_faces();
     Couplings<Mirroring> edges = couplings();
-    std::vector<Vec2> held = holds(kTurn * from_boundary / apart_);
+    std::vector<Vec2> held = holds(kWholeTurn * from_boundary / apart_);
     std::vector<PhaseLevel> levels;
     while (true) {
       Pairs<Mirroring> pairs(edges, poll_);
@@ -191,7 +191,7 @@ class StripePhase::Relaxation {
     const SurfacePoint middle{mesh_.origin(mesh_.face(h)), mesh_.at_share(h, 0.5)};
     Vec2 line = unit(field_.at(middle));
     if (dot(line, line_of_face(mesh_.face(h))) < 0) line = -line;
-    return kTurn / (apart_ * radius_.at(s_, middle)) * dot(Vec2{0, 1} * line, along(h));
+    return kWholeTurn / (apart_ * radius_.at(s_, middle)) * dot(Vec2{0, 1} * line, along(h));
   }
 
   double weight(HalfEdge h) const {
@@ -266,7 +266,7 @@ class StripePhase::Relaxation {
       const Vec2 beyond = b * conj(a * expected);
       const double start = elementary::atan2(a.y, a.x);
       const double by = rise(h) + elementary::atan2(beyond.y, beyond.x), end = start + by;
-      const double turn = std::round((start + 0.5 * by) / kTurn) * kTurn;
+      const double turn = std::round((start + 0.5 * by) / kWholeTurn) * kWholeTurn;
       if (!((start < turn) != (end < turn))) continue;
       const double share = std::clamp((turn - start) / by, 0.01, 0.99);
       phase_.crossing_[low / 2] = h == low ? share : 1 - share;

@@ -19,10 +19,10 @@ namespace meander {
 /// keep away from one another as far as they can; there lines begin and end. Lines are where the phase is 0.
 ///
 /// A unit number for every vertex of the surface, divided to edges below about r; a field has no sign, so that the
-/// phase rises to one side or to the other from vertex to vertex. Every vertex is what its neighbours make it, again and
-/// again, from coarse to fine, and in between all numbers are made of length 1: the flow of a Ginzburg-Landau energy, by
-/// the scheme of Merriman, Bence and Osher (Ruuth, Merriman, Xin and Osher, "Diffusion-Generated Motion by Mean
-/// Curvature for Filaments", 2001). The eigenvector of the paper vanishes where singularities are dense.
+/// phase rises to one side or to the other from vertex to vertex. Every vertex is what its neighbours make it, again
+/// and again, from coarse to fine, and in between all numbers are made of length 1: the flow of a Ginzburg-Landau
+/// energy, by the scheme of Merriman, Bence and Osher (Ruuth, Merriman, Xin and Osher, "Diffusion-Generated Motion by
+/// Mean Curvature for Filaments", 2001). The eigenvector of the paper vanishes where singularities are dense.
 ///
 /// The surface, the field and the radius are used by the constructor only.
 class StripePhase {
