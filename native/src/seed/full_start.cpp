@@ -208,7 +208,8 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   const LineField whole = completed(surface, field, radius, poll);
   std::vector<std::vector<SurfacePoint>> first_lines;
   if (density) {
-    const StripePhase phase(surface, whole, radius, spacing.apart, 2 * boundary_distance + 1, poll);
+    const double apart = spacing.apart / spacing.full;  // they are as long together
+    const StripePhase phase(surface, whole, radius, apart, 2 * boundary_distance + 1, poll);
     first_lines = level_lines(surface, phase, radius, spacing.step, poll);
     spacing.least = kLeastAlong;
   }
