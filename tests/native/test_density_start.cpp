@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "seed/full_start.h"
+#include "seed/streamlines.h"
 #include "curves.h"
 #include "test_seeds.h"
 
@@ -88,7 +89,7 @@ TEST(DensityStart, HasItsSpacingWhereThatFallsSteadily) {
   }
   EXPECT_LT(static_cast<double>(wrong), 0.05 * static_cast<double>(gaps));
   EXPECT_EQ(bands, 9u) << "in every tenth of the width there are more strands than before it";
-  EXPECT_NEAR(c.length() / wanted_length(s, radius), 1, 0.04);
+  EXPECT_NEAR(c.length() / wanted_length(s, radius), LineSpacing{}.full, 0.03);
 }
 
 struct Varying {
@@ -118,8 +119,10 @@ TEST(DensityStart, FillsEverySurfaceAtEverySlope) {
         ASSERT_EQ(start.curve.strands.size(), 1u);
         ASSERT_TRUE(whole(s, start.curve));
         EXPECT_TRUE(exact_crossings(s, start.curve).empty());
-        // Where r falls to a tenth within an edge, lines of both sides end, and the widest have no room between holes.
-        EXPECT_NEAR(start.curve.length() / wanted_length(s, radius), 1, steep && ratio > 5 ? 0.25 : 0.12);
+        // Where r falls to a tenth within an edge, lines of both sides end, and the widest have no room between holes;
+        // there the flow grows, and lays the rest.
+        EXPECT_GT(start.curve.length() / wanted_length(s, radius), steep && ratio > 5 ? 0.6 : 0.9);
+        EXPECT_LT(start.curve.length() / wanted_length(s, radius), 1.15);
       }
     }
   }
