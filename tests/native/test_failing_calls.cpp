@@ -406,6 +406,22 @@ std::vector<Call> result_calls() {
   calls.push_back({"cut", seeded_flow(2), [](World& world, meander_error* error) {
                      return CALLED(flow_cut_surface)(world.flow, 0.1, 1, &world.cut, nullptr, error);
                    }});
+  calls.push_back({"pixels", [](World&) {}, [](World& world, meander_error* error) {
+                     const double drawing[] = {0, 0, 7, 0, 0, 7, 7, 0, 7, 7, 0, 7};
+                     std::array<int32_t, 64> nearest{};
+                     std::array<float, 192> weights{};
+                     size_t covered = 0, twice = 0;
+                     const meander_status status = CALLED(map_find_pixels)(
+                         drawing, 2, 8, 1, 2, nearest.data(), weights.data(), &covered, &twice, nullptr, error);
+                     if (status == MEANDER_STATUS_OK) std::ranges::copy(weights, world.numbers.begin());
+                     return status;
+                   }});
+  calls.push_back({"distances", make_cut, [](World& world, meander_error* error) {
+                     const int32_t nearest[] = {0, -1};
+                     const float weights[] = {0.2f, 0.3f, 0.5f, 0, 0, 0};
+                     return CALLED(cut_measure_distances)(&world.cut, 1, nearest, weights, 2, 2, world.numbers.data(),
+                                                          world.more.data(), nullptr, error);
+                   }});
   return calls;
 }
 

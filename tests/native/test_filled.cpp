@@ -166,7 +166,7 @@ std::vector<Long> long_surfaces() {
       {"strip of 200 x 1.2", strip(20, 0.12, 100), stroke({0.1, 0, 0}, {0.3, 0.001, 0})},
       {"strip of 400 x 2", strip(40, 0.2, 100), stroke({0.1, 0, 0}, {0.3, 0.001, 0})},
       {"ring of 200 x .8", ring(20 / (2 * kPi), 0.08, 240), stroke({20 / (2 * kPi), 0, 0}, {20 / (2 * kPi), 0.2, 0})},
-      {"spiral 1 wide", spiral(2, 1, 0.1, 200), stroke({1, 0.05, 0}, {1, 0.2, 0})},
+      {"spiral 1 wide", spiral(2, 1, 0.1, 150), stroke({1, 0.05, 0}, {1, 0.2, 0})},
       {"narrow star", star(10, 4, 0.14, 10), stroke({3.5, 0.01, 0}, {3.8, 0.01, 0})},
       {"pipe", pipe(30, 0.4, 30), stroke({0.4 / (2 * kPi), 0, 0.1}, {0.4 / (2 * kPi), 0, 0.4})},
       {"star", star(10, 8, 0.4, 20), stroke({7.5, 0.1, 0}, {7.8, 0.1, 0})},

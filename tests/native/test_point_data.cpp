@@ -160,8 +160,8 @@ TEST(PointData, OpenStrandsEndWhereTheyEnd) {
   // On the right of the first strand is the boundary, 2 away, on its left the second, 6 away: both are
   // beyond the clamp, 3 r.
   const size_t middle = r.offsets[1] / 2;
-  EXPECT_NEAR(r.radii[2 * middle], 1.5, 1e-6);
-  EXPECT_NEAR(r.radii[2 * middle + 1], 1.5, 1e-6);
+  EXPECT_NEAR(r.radii[2 * middle], 1.5 / 0.968, 1e-6);
+  EXPECT_NEAR(r.radii[2 * middle + 1], 1.5 / 0.968, 1e-6);
 }
 
 }  // namespace
