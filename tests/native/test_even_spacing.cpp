@@ -98,16 +98,19 @@ TEST(EvenSpacing, MakesTheCurveAsLongAsTheSurfaceIsWideForIt) {
     for (const meander_start start : {MEANDER_START_GROW, MEANDER_START_FULL}) {
       if (preset == MEANDER_PRESET_FINEST && start == MEANDER_START_GROW) continue;
       SCOPED_TRACE(testing::Message() << "preset " << preset << ", start " << start);
+      // Where lines of a full start end is a matter of a few percent; what grows has none.
+      std::vector<double> radii{1.0 / 12};
+      if (start == MEANDER_START_FULL) radii = {1.0 / 15, 1.0 / 16, 1.0 / 17};
       std::vector<double> packings;
-      for (const double radius : {1.0 / 19, 1.0 / 20, 1.0 / 21}) {
+      for (const double radius : radii) {
         meander_flow_options options = options_with(radius, 1, preset);
         options.start = start;
-        const FlowHandle flow = make_flow(sphere(4), options);
+        const FlowHandle flow = make_flow(sphere(3), options);
         ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
         packings.push_back(packing(flow));
       }
       std::ranges::sort(packings);
-      EXPECT_NEAR(packings[1], 1, kLengthOff);
+      EXPECT_NEAR(packings[packings.size() / 2], 1, kLengthOff);
     }
   }
 }
