@@ -161,7 +161,7 @@ def test_three_verbs_say_what_they_keep(windowed):
     }
     for (thing, options), says in kept.items():
         activate(thing)
-        given = {"restart": False, "beside": False, **dict(options)}
+        given = {"restart": False, "beside": False, "go_on": False, **dict(options)}
         tip = run_operators.MEANDER_OT_run.description(bpy.context, SimpleNamespace(**given))
         assert says in tip, tip
     assert "keeps all" in run_operators.MEANDER_OT_resume.bl_description

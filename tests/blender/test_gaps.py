@@ -28,8 +28,8 @@ from scenes import (
 EARLY = 40
 
 
-def stopped_early(surface: bpy.types.Object) -> bpy.types.Object:
-    return fill(surface, 0.2, iteration_limit=EARLY)
+def stopped_early(surface: bpy.types.Object, limit: int = EARLY) -> bpy.types.Object:
+    return fill(surface, 0.2, iteration_limit=limit)
 
 
 def world_gaps(result: bpy.types.Object) -> np.ndarray:
@@ -142,7 +142,7 @@ def test_without_gaps_a_plain_message(monkeypatch):
 
 def test_only_wide_gaps_are_named():
     surface = sphere()
-    result = stopped_early(surface)
+    result = stopped_early(surface, EARLY // 2)
     figures = result.meander.figures
     shown = texts_of(panels.MEANDER_PT_figures)
     assert shown[shown.index("Gaps") + 1] == f"{figures.wide_gaps:,}"

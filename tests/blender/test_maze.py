@@ -107,7 +107,7 @@ def test_the_way_goes_from_door_to_door() -> None:
     assert min(clear) > 0.05 * 0.2, "no wall stands in the way"
     for end in points[[0, -1]]:
         assert (1.0 - np.abs(end[:2])).min() < 0.2, "doors at the border of the sheet"
-    assert np.linalg.norm(np.diff(points, axis=0), axis=1).sum() > 15.0 * 0.2
+    assert np.linalg.norm(np.diff(points, axis=0), axis=1).sum() > 12.0 * 0.2
 
 
 @pytest.mark.parametrize("scale", [(1.3, 1.3, 1.3), (-1.0, 1.0, 1.0), (1.0, 1.5, 0.5)])

@@ -200,7 +200,8 @@ def test_the_surface_is_filled_as_rendered(build: Callable[[], bpy.types.Object]
         "curves": before["curves"] + 1,
     }
     assert len(bpy.data.scenes) == 1 and len(bpy.data.metaballs) in (0, 2)
-    assert off(points_of(result), triangles) < 1e-5
+    # A union has slivers, which are mended before it is filled.
+    assert off(points_of(result), triangles) < (1e-4 if build is of_an_operand else 1e-5)
     if build is not of_an_operand:  # where the difference is small beside the body
         assert off(points_of(result), world_triangles(surface)) > 1e-3
 

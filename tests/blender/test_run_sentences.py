@@ -31,6 +31,7 @@ MODULES = [path for path in OF_SCENES if path.parent.name != "scene"]
 # A part of the sentence, and what test_camera_drawing.py quotes of it.
 OF_DRAWINGS = {
     "camera sees no surface": "camera sees no surface; turn",
+    "is seen edge on": "is seen edge on; turn it",
     "Nothing is drawn: ": "Nothing is drawn: ",
     "is no paper; choose from": "is no paper; choose from",
     "leave nothing of the page": "the margins leave nothing of",
