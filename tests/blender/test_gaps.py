@@ -142,7 +142,7 @@ def test_without_gaps_a_plain_message(monkeypatch):
 
 def test_only_wide_gaps_are_named():
     surface = sphere()
-    result = stopped_early(surface, EARLY // 2)
+    result = stopped_early(surface, EARLY + 20)
     figures = result.meander.figures
     shown = texts_of(panels.MEANDER_PT_figures)
     assert shown[shown.index("Gaps") + 1] == f"{figures.wide_gaps:,}"
