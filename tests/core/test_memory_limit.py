@@ -15,7 +15,10 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the limit is Li
 # In a process of its own, since its limit holds for everything in it. Limits count from what the
 # process has when a call begins, and are lifted after it.
 _PRELUDE = """
-import json, resource, sys
+import json, resource, signal, sys
+# No interruption is heard, so calls are made by this thread: Python says of its own threads that
+# they have no memory, and says it on stderr.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
 sys.path[:0] = json.loads(sys.argv[1])
 import geometry
 from meander import core

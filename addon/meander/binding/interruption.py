@@ -20,6 +20,8 @@ _Result = TypeVar("_Result")
 
 # How long the main thread waits at a time, in seconds: only Windows hears nothing meanwhile.
 _PAUSE = 0.05
+# A thread that has not begun after so many seconds never will.
+_LATE = 1.0
 
 
 @dataclass(frozen=True)
@@ -58,12 +60,13 @@ def heard(work: Callable[[], _Result], cancel: Callable[[], None] | None) -> _Re
 
     def do() -> None:
         if not begins.acquire(blocking=False):
-            return  # it has been interrupted before
+            return  # it has been interrupted before, or came too late
         try:
             results.append(work())
         except BaseException as error:
             errors.append(error)
-        lasts.release()
+        finally:
+            lasts.release()
 
     try:
         # Bare threads cost a fifth of what threading's cost, and do not keep the interpreter.
@@ -71,8 +74,12 @@ def heard(work: Callable[[], _Result], cancel: Callable[[], None] | None) -> _Re
             _thread.start_new_thread(do, ())
         except RuntimeError:  # the system gives none: better unheard than not done
             return work()
+        waited = 0.0
         while not lasts.acquire(timeout=_PAUSE):
-            pass
+            waited += _PAUSE
+            # Without memory a thread may end before it has begun, and nobody is told.
+            if waited > _LATE and begins.acquire(blocking=False):
+                return work()
     except BaseException:
         if not begins.acquire(blocking=False) and cancel is not None:
             while not results and not errors:
@@ -80,6 +87,8 @@ def heard(work: Callable[[], _Result], cancel: Callable[[], None] | None) -> _Re
         raise
     if errors:
         raise errors[0]
+    if not results:
+        raise MemoryError
     return results[0]
 
 
