@@ -383,7 +383,8 @@ BAD = {
     "no such vertex": (("--from-vertex", 0, "--to-vertex", 999), "not a vertex"),
     "far away": (("--from", 0, 0, 3, "--to-vertex", 9), "Point 1 of spline 1 of 'the stroke' is 3"),
     "left out without": (("--leave-out-guides",), "give --guides as well"),
-    "no curve": (("--guides", "nothing.txt"), "is no .obj file"),
+    "no file": (("--guides", "nothing.obj"), "--guides nothing.obj does not exist"),
+    "no curve": (("--guides", __file__), "is no .obj file"),
 }
 
 

@@ -60,7 +60,7 @@ def crossing_pairs(ways: list[np.ndarray]) -> int:
     ("kind", "extra"),
     [
         (".csv", ("--chord-tolerance", "0.2")),
-        (".csv", ("--chord-tolerance", "0.4")),
+        (".csv", ("--chord-tolerance", "0.3")),
         (".json", ("--poses", "--resample-step", "0.9")),
     ],
 )
