@@ -91,23 +91,24 @@ def test_doors_are_two_gaps() -> None:
 
 
 def test_the_way_goes_from_door_to_door() -> None:
+    spacing = 0.17  # the way depends on the curve: on six sheets it is 13 to 25 spacings long
     sheet = scenes.grid(cells=16)
-    result = scenes.fill(sheet, 0.2)
+    result = scenes.fill(sheet, spacing)
     walls = maze(result, solution=True)
     way = bpy.data.objects[f"{walls.name} Solution"]
     assert way.type == "CURVE" and way.parent == sheet and way.meander.surface is None
     (points, cyclic), = scenes.world_splines(way)
-    assert not cyclic and way.data.bevel_depth == pytest.approx(0.08 * 0.2)
+    assert not cyclic and way.data.bevel_depth == pytest.approx(0.08 * spacing)
     vertices = points_of(walls)
     tree = BVHTree.FromPolygons(
         vertices.tolist(), [list(polygon.vertices) for polygon in walls.data.polygons]
     )
     clear = [tree.find_nearest(point.tolist())[3] for point in points]
     # On fourteen sheets and spacings the narrowest place is .08 to .26 of a spacing from a wall.
-    assert min(clear) > 0.05 * 0.2, "no wall stands in the way"
+    assert min(clear) > 0.05 * spacing, "no wall stands in the way"
     for end in points[[0, -1]]:
-        assert (1.0 - np.abs(end[:2])).min() < 0.2, "doors at the border of the sheet"
-    assert np.linalg.norm(np.diff(points, axis=0), axis=1).sum() > 12.0 * 0.2
+        assert (1.0 - np.abs(end[:2])).min() < spacing, "doors at the border of the sheet"
+    assert np.linalg.norm(np.diff(points, axis=0), axis=1).sum() > 15.0 * spacing
 
 
 @pytest.mark.parametrize("scale", [(1.3, 1.3, 1.3), (-1.0, 1.0, 1.0), (1.0, 1.5, 0.5)])

@@ -194,14 +194,15 @@ def test_the_surface_is_filled_as_rendered(build: Callable[[], bpy.types.Object]
     surface = build()
     triangles = rendered(surface)
     before = counts()
-    result = fill(surface, 0.3 if build is not text else 0.05)
+    # A union has slivers, which are mended before it is filled: at this spacing no node is on one.
+    spacing = {text: 0.05, of_an_operand: 0.28}.get(build, 0.3)
+    result = fill(surface, spacing)
     assert counts() == before | {
         "objects": before["objects"] + 1,
         "curves": before["curves"] + 1,
     }
     assert len(bpy.data.scenes) == 1 and len(bpy.data.metaballs) in (0, 2)
-    # A union has slivers, which are mended before it is filled.
-    assert off(points_of(result), triangles) < (1e-4 if build is of_an_operand else 1e-5)
+    assert off(points_of(result), triangles) < 1e-5
     if build is not of_an_operand:  # where the difference is small beside the body
         assert off(points_of(result), world_triangles(surface)) > 1e-3
 

@@ -24,7 +24,7 @@ CLOSE = 0.01
 _NEAR = 0.05
 _MOST_RUNS = 3
 
-# A coarse run takes a third of the time of one of the quality Even, whose curve is 1.02 to 1.05
+# A coarse run takes a third of the time of one of the quality Even, whose curve is 1.00 to 1.04
 # times as long, on balls, sheets, spot and a torus alike.
 _COARSE = "paper"
 _COARSE_CLOSE = 0.02

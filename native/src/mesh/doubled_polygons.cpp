@@ -21,13 +21,17 @@ using Vec3 = Eigen::Vector3d;
 /// A share of the size of a mesh: vertices this near to a plane are in it, in single precision too.
 constexpr double kInOnePlane = 1e-6;
 
+/// Cells of many times the distance, so that most queries look into one.
+constexpr double kCell = 16;
+
 constexpr uint32_t kNobody = UINT32_MAX;
 
 class DoubleSearch {
  public:
   DoubleSearch(Soup& soup, std::span<const uint32_t> polygons)
       : soup_(soup), polygons_(polygons), poll_(soup.poll()), positions_(soup.positions()), faces_(soup.faces()),
-        place_(shared_places(positions_, soup.used(), kOnePlace * soup.diagonal(), poll_)), patch_(faces_.size()) {}
+        place_(shared_places(positions_, soup.used(), kOnePlace * soup.diagonal(), kCell, poll_)),
+        patch_(faces_.size()) {}
 
   DoubledPolygons find() {
     find_edges();
@@ -375,7 +379,7 @@ bool may_have_doubled_polygons(const Surface& surface, std::span<const uint32_t>
   std::vector<Vec3> positions;
   positions.reserve(surface.vertex_count());
   for (uint32_t v = 0; v < surface.vertex_count(); ++v) positions.push_back(surface.position(v));
-  const std::vector<uint32_t> place = shared_places(positions, used, kOnePlace, cancel.every(1u << 16));
+  const std::vector<uint32_t> place = shared_places(positions, used, kOnePlace, kCell, cancel.every(1u << 16));
   for (uint32_t v = 0; v < place.size(); ++v) {
     if (place[v] != v) return true;
   }

@@ -10,7 +10,7 @@
 namespace meander {
 
 std::vector<uint32_t> shared_places(std::span<const Eigen::Vector3d> positions, std::span<const uint8_t> used,
-                                    double distance, CancelToken poll) {
+                                    double distance, double cell, CancelToken poll) {
   std::vector<uint32_t> place(positions.size()), vertices;
   std::iota(place.begin(), place.end(), 0u);
   std::vector<Eigen::Vector3d> points;  // seen from the first
@@ -21,16 +21,18 @@ std::vector<uint32_t> shared_places(std::span<const Eigen::Vector3d> positions, 
     points.push_back(positions[v] - positions[vertices[0]]);
     extent = std::max(extent, points.back().cwiseAbs().maxCoeff());
   }
-  if (!(extent > 0) || !std::isfinite(extent)) return place;
-  // Cubes of many times the distance, so that most queries look into one.
-  const PointGrid grid(points, std::max(16 * distance, 1e-8 * extent), poll);
+  const double side = std::max(cell * distance, 1e-8 * extent);
+  if (!(side > 0) || !std::isfinite(extent)) return place;
+  const PointGrid grid(points, side, poll);
+  // Points may have been rounded; their distances are those of the vertices.
+  const double radius = 1.001 * distance + 1e-15 * extent;
   for (uint32_t i = 0; i < vertices.size(); ++i) {
-    poll(2);
+    poll(4);
     const uint32_t v = vertices[i];
     if (place[v] != v) continue;
-    grid.near(points[i], distance, [&](uint32_t j, double) {
+    grid.near(points[i], radius, [&](uint32_t j, double) {
       const uint32_t w = vertices[j];
-      if (w > v && place[w] == w) place[w] = v;
+      if (w > v && place[w] == w && (positions[w] - positions[v]).norm() <= distance) place[w] = v;
     });
   }
   return place;

@@ -7,9 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "base/eigen.h"
-
 #include "base/cancel_token.h"
+#include "base/eigen.h"
 
 namespace meander {
 
@@ -19,8 +18,9 @@ inline constexpr double kOnePlace = 1e-7;
 
 /// Per vertex its place, named by the lowest vertex there; vertices that are not used are alone.
 ///
-/// distance   in the unit of the positions, positive
+/// distance   in the unit of the positions
+/// cell       of the grid that is searched, in distances, at least 2: many where few vertices are near to each other
 std::vector<uint32_t> shared_places(std::span<const Eigen::Vector3d> positions, std::span<const uint8_t> used,
-                                    double distance, CancelToken poll);
+                                    double distance, double cell, CancelToken poll);
 
 }  // namespace meander

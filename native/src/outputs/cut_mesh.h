@@ -50,7 +50,6 @@ class CutMesh : public RefinedSurface {
   /// The point of the line that a vertex is, kNone for other vertices.
   uint32_t line_point(uint32_t v) const { return v < line_points_.size() ? line_points_[v] : kNone; }
   /// The strand, an index into strands(), of a point of the line.
-  uint32_t line_strand(uint32_t point) const { return line_strand_[point]; }
   /// The point after it, kNone at an open end.
   uint32_t next_point(uint32_t point) const;
   uint32_t previous_point(uint32_t point) const;
