@@ -290,7 +290,7 @@ TEST(CancelAtAnyAsk, IsNeverFarAwayOnALargeMesh) {
 
 /// All steps of looking for faults, which are those of a repair. A mesh of a million faces takes about a second.
 TEST(CancelAtAnyAsk, IsNeverFarAwayWhileFaultsAreLookedFor) {
-  const Mesh whole = sphere(7), soup = soup_of(whole);
+  const Mesh whole = sphere(8), soup = soup_of(sphere(7));
   for (const Mesh* mesh : {&whole, &soup}) {
     EXPECT_TRUE(asks_often(0.1, [&](const CancelToken& question) {
       find_faults(mesh->vertices, mesh->faces, 1e-6, question);

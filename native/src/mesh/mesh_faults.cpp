@@ -32,7 +32,9 @@ class FaultSearch {
   void add_infinite() {
     const std::vector<uint8_t> used = soup_.used();
     const auto is_infinite = [&](uint32_t v) { return !soup_.positions()[v].allFinite(); };
+    CancelToken poll = soup_.poll();
     for (uint32_t v = 0; v < used.size(); ++v) {
+      poll();
       if (used[v] && is_infinite(v)) add(FaultKind::kNotFinite, v, v);
     }
     if (faults.empty()) return;

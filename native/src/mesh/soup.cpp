@@ -23,7 +23,9 @@ Soup::Soup(std::span<const double> vertices, std::span<const uint32_t> faces, co
 
 std::vector<uint8_t> Soup::used() const {
   std::vector<uint8_t> used(positions_.size(), 0);
+  CancelToken poll = this->poll();
   for (const Triangle& t : faces_) {
+    poll();
     for (const uint32_t v : t) used[v] = 1;
   }
   return used;
@@ -36,7 +38,9 @@ std::shared_ptr<const EdgeGroups> Soup::edges() {
 
 void Soup::measure() {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  CancelToken poll = this->poll();
   for (const Triangle& t : faces_) {
+    poll();
     for (const uint32_t v : t) {
       low = low.cwiseMin(positions_[v]);
       high = high.cwiseMax(positions_[v]);
