@@ -5,8 +5,7 @@ add-on, the modules in python/meander, and one platform's library.
     python3 scripts/build_wheel.py [--library FILE] [--platform TAG] [--folder FOLDER]
 
 By itself it takes the library that scripts/build.sh has made for this machine. The same contents
-give the same bytes. It is also the backend that pyproject.toml names, so that `pip install .` works
-in a checkout that has been built.
+give the same bytes. Where there is no library yet `pip install .` builds one (pyproject.toml).
 """
 
 from __future__ import annotations
@@ -97,10 +96,12 @@ def metadata(about: Mapping[str, Any]) -> str:
         f"Name: {about['name']}",
         f"Version: {about['version']}",
         f"Summary: {about['description']}",
+        f"Keywords: {','.join(about['keywords'])}",
         *(f"Author: {author['name']}" for author in about["authors"]),
         f"License-Expression: {about['license']}",
         *(f"License-File: {name}" for name in about["license-files"]),
         *(f"Classifier: {name}" for name in about["classifiers"]),
+        *(f"Project-URL: {name}, {address}" for name, address in about["urls"].items()),
         f"Requires-Python: {about['requires-python']}",
         *(f"Requires-Dist: {wanted}" for wanted in about["dependencies"]),
     ]
@@ -149,15 +150,6 @@ def write_wheel(folder: Path, library: Path, platform: str) -> Path:
 def _digest(data: bytes) -> str:
     digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=")
     return f"sha256={digest.decode()}"
-
-
-def build_wheel(
-    wheel_directory: str,
-    config_settings: Mapping[str, Any] | None = None,
-    metadata_directory: str | None = None,
-) -> str:
-    """For pip and other front ends (PEP 517): the wheel of this machine."""
-    return write_wheel(Path(wheel_directory), built_library(), this_platform()).name
 
 
 def main() -> int:

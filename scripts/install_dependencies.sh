@@ -7,7 +7,7 @@
 #
 # Installs what is missing for building, running and testing on Debian 12: Debian's packages with
 # apt-get (through sudo unless root), and for every --bpy a virtual environment
-# build/bpy-VERSION with Blender as a Python module, pytest, ruff, import-linter and readers of what
+# build/bpy-VERSION with Blender as a Python module, pytest, ruff, import-linter, what packs the sources, and readers of what
 # is exported from the Python index, for --site one, build/site-tools, with what makes the site from
 # the pages in docs/, for --farm Slurm, for scripts/test_farm.sh, and for --sanitizers Clang, for
 # scripts/test_sanitized.sh, and its library for Python, for tests/mutation.
@@ -156,7 +156,8 @@ fi
 for version in "${bpy_versions[@]}"; do # about 1 GB each
   python=$(python_of "$version")
   venv "$python" "build/bpy-$version" "bpy==$version.*" "pytest==8.*" "ruff==0.6.*" "import-linter==2.5.*" \
-    "pyembroidery==1.5.*" "ezdxf==1.4.*" "svgpathtools==1.*" "gcodeparser==0.3.*"
+    "pyembroidery==1.5.*" "ezdxf==1.4.*" "svgpathtools==1.*" "gcodeparser==0.3.*" \
+    "scikit-build-core==1.1.*"
 done
 [ $site -eq 0 ] || venv /usr/bin/python3 build/site-tools "mkdocs-material==9.8.*" "mkdocs==1.6.*"
 if [ $package_tools -eq 1 ]; then

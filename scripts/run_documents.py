@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the commands of README.md and docs/*.md, so that they stay correct.
+"""Runs the commands of the *.md files of the root and of docs, so that they stay correct.
 
 In each document the fenced blocks marked `sh` are run from the project's root, one after the
 other. A comment on the line before a block says otherwise:
@@ -59,7 +59,7 @@ def run(block: Block) -> bool:
 
 def main() -> int:
     passed = failed = 0
-    for document in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]:
+    for document in [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").rglob("*.md"))]:
         for block in blocks_of(document):
             if block.remark == "file":
                 path = ROOT / block.value

@@ -11,7 +11,8 @@
 #
 # With --all, every night or by hand, also what is compiled anew for it, which takes longer than all else: the native
 # tests and a minute of fuzzing the C API under sanitizers, what runs in threads under ThreadSanitizer, whether curves
-# have the same bytes however the library is compiled, and the library of a release for Windows.
+# have the same bytes however the library is compiled, what pip builds from the sources, and the library of a release
+# for Windows.
 #
 # The summary names the slowest test of each suite with its processor seconds; all are in
 # build/logs/SUITE.times. Where MEANDER_TEST_LIMIT is set, a test that takes more processor seconds
@@ -167,6 +168,7 @@ for_machines=(tests/core/test_arcs.py tests/core/test_gcode_tools.py tests/core/
 # These compile, with one of the two processors.
 if $all; then
   beside suite threads 1800 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_threads.sh
+  beside check sources 2400 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_source_package.sh
   beside suite bytes 2400 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_same_bytes.sh
 fi
 profile blender-3.4

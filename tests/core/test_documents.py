@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""README.md and docs/*.md name only what exists: links, files, tests and names of the C interface.
+"""The *.md files of the root and of docs name only what exists: links, files, tests and names of the
+C interface.
 Comments in the library name only decisions that docs/decisions.md has.
 
 What their commands do is for scripts/run_documents.py to say.
@@ -14,7 +15,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "native" / "src"
-DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+DOCUMENTS = [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").rglob("*.md"))]
 ROOMS = sorted(folder.name for folder in SOURCES.iterdir())
 
 FENCE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)

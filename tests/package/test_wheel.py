@@ -14,6 +14,8 @@ import shutil
 import signal
 import subprocess
 import sys
+import tarfile
+import tomllib
 import zipfile
 from email.parser import Parser
 from pathlib import Path
@@ -180,14 +182,44 @@ def test_a_library_and_a_platform_can_be_named(wheel: Path, tmp_path: Path) -> N
         assert archive.read(inside) == library.read_bytes()
 
 
-def test_pip_makes_the_same_from_a_checkout(
-    installed: Environment, wheel: Path, bpy_python: Path, tmp_path: Path
+def test_the_packed_sources_are_all_that_a_build_needs(
+    wheel: Path, bpy_python: Path, tmp_path: Path
 ) -> None:
-    done = installed.run(
-        bpy_python, "-m", "pip", "wheel", "--no-index", "--no-deps", "--wheel-dir", tmp_path, ROOT
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert (tmp_path / wheel.name).read_bytes() == wheel.read_bytes()
+    """What pip gets, which scripts/test_source_package.sh also compiles: the modules of the wheel,
+    in the places that pyproject.toml names, and sources from which CMake can make the rest."""
+    pack = f"import scikit_build_core.build as builder; builder.build_sdist({str(tmp_path)!r})"
+    subprocess.run([bpy_python, "-c", pack], cwd=ROOT, check=True, timeout=60)
+    (packed,) = tmp_path.glob("meander-*.tar.gz")
+    with tarfile.open(packed) as archive:
+        archive.extractall(tmp_path)
+    sources = tmp_path / packed.name.removesuffix(".tar.gz")
+
+    settings = tomllib.loads((sources / "pyproject.toml").read_text())["tool"]["scikit-build"]
+    modules = {
+        f"{place}/{path.relative_to(sources / folder).as_posix()}"
+        for place, folder in settings["wheel"]["packages"].items()
+        for path in (sources / folder).rglob("*")
+        if path.is_file()
+    }
+    with zipfile.ZipFile(wheel) as archive:
+        names = {name for name in archive.namelist() if ".dist-info/" not in name}
+    made = {name for name in names if name.startswith("meander/native/")}
+    assert modules == names - made - {"meander/core.py", "meander/binding/abi.py"}
+
+    build = tmp_path / "build"
+    options = [
+        f"-D{name}={'ON' if value else 'OFF'}"
+        for name, value in (settings["cmake"]["define"] | {"SKBUILD": True}).items()
+    ]
+    for command in (
+        ["cmake", "-S", sources, "-B", build, "-G", "Ninja", *options],
+        ["ninja", "-C", build, "-n", *settings["build"]["targets"]],
+    ):
+        done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+        assert done.returncode == 0, done.stdout + done.stderr
+    installed = (build / "cmake_install.cmake").read_text()
+    for name in ("core.py", "abi.py", "libmeander"):
+        assert name in installed
 
 
 # ------------------------------------------------------------------------------------------------
