@@ -80,7 +80,7 @@ def following() -> None:
     result = fill(sphere(), 0.5, iteration_limit=20)
     result.meander.follow = True
     bpy.context.scene.frame_set(2)
-    assert result.name_full in meander.run.motion._followers
+    assert [name for _, name in meander.run.motion._followers] == [result.name_full]
 
 
 def noted() -> None:

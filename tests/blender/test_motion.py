@@ -308,6 +308,69 @@ def test_bake_refuses_with_one_sentence_and_bakes_nothing(
     assert not result.hide_render
 
 
+def test_a_refused_bake_leaves_the_one_before(
+    tube: bpy.types.Object, result: bpy.types.Object
+) -> None:
+    assert bpy.ops.meander.bake_motion(frame_start=1, frame_end=3) == {"FINISHED"}
+    bake, before = result.meander.bake, scenes.counts()
+    names = sorted(thing.name for thing in bake.objects)
+    finer = tube.modifiers.new("Finer", "SUBSURF")
+    finer.levels = finer.render_levels = 0
+    finer.keyframe_insert("levels", frame=2)
+    finer.levels = 1
+    finer.keyframe_insert("levels", frame=3)  # other faces from here on
+    bpy.context.scene.frame_set(1)
+    before = scenes.counts()
+    with pytest.raises(RuntimeError, match="only its shape may change"):
+        bpy.ops.meander.bake_motion(frame_start=1, frame_end=3)
+    assert scenes.counts() == before and result.meander.bake == bake
+    assert sorted(thing.name for thing in bake.objects) == names
+    assert result.hide_viewport and result.hide_render
+    tube.animation_data_clear()
+    tube.modifiers.clear()
+    # The one that replaces it has its names.
+    assert bpy.ops.meander.bake_motion(frame_start=1, frame_end=3) == {"FINISHED"}
+    assert sorted(thing.name for thing in result.meander.bake.objects) == names
+    assert bpy.data.collections[f"{result.name} Frames"] == result.meander.bake
+
+
+def test_who_gets_the_name_of_a_deleted_curve_follows_its_own_surface(
+    tube: bpy.types.Object, result: bpy.types.Object
+) -> None:
+    from meander.run import motion as following
+
+    other_tube = _tube()
+    other_tube.location.x = 10.0
+    other = scenes.fill(other_tube, 0.6)
+    for thing in (result, other):
+        thing.meander.follow = True
+    bpy.context.scene.frame_set(2)
+    assert len(following._followers) == 2
+    name = result.name
+    bpy.data.objects.remove(result)
+    other.name = name
+    assert other.name == name
+    bpy.context.scene.frame_set(3)
+    assert len(following._followers) == 1, "the flow of what was deleted stays"
+    assert following.problem_of(other) is None
+    assert scenes.farthest_from(other_tube, other) < ON_SURFACE
+
+
+@pytest.mark.parametrize("operator", ["bake_growth", "animate_growth"])
+def test_growth_of_a_symmetric_curve_is_symmetric(operator: str) -> None:
+    ball = scenes.sphere(subdivisions=4)
+    ball.meander.mirror = "X"
+    result = scenes.fill(ball, 0.4)
+    how = {"every": 10} if operator == "bake_growth" else {"frames": 10}
+    assert getattr(bpy.ops.meander, operator)(**how) == {"FINISHED"}
+    for shown in result.meander.bake.objects:
+        splines = shown.data.splines
+        points = np.array([point.co[:3] for spline in splines for point in spline.points])
+        images = points * [-1.0, 1.0, 1.0]
+        far = np.linalg.norm(points[:, None] - images[None], axis=2).min(axis=1)
+        assert far.max() < 0.02
+
+
 @pytest.mark.parametrize("chosen", ["mesh", "frame", "curve"])
 def test_a_bake_can_be_deleted_from_what_is_seen(
     tube: bpy.types.Object, result: bpy.types.Object, chosen: str

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The *.md files of the root and of docs name only what exists: links, files, tests and names of the
-C interface.
-Comments in the library name only decisions that docs/decisions.md has.
+"""The *.md files of the root and of docs name only what exists: links, files, tests and names of
+the C interface. Comments in the library name only decisions that docs/decisions.md has.
 
 What their commands do is for scripts/run_documents.py to say.
 """

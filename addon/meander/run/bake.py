@@ -9,7 +9,6 @@ from contextlib import contextmanager
 import bpy
 
 from ..model.stages import stages_of
-from ..scene import bake
 from ..scene.bake import Frames
 from ..scene.evaluated import matrix_of
 from ..scene.meshes import triangles_of
@@ -20,15 +19,16 @@ from .plan import plan_of
 
 @contextmanager
 def _all_or_nothing(
-    result: bpy.types.Object, context: bpy.types.Context
+    frames: Frames, context: bpy.types.Context
 ) -> Iterator[Callable[[float], None]]:
-    """Gives what shows how far it is, from 0 to 1; takes away what was baked where it fails."""
+    """Gives what shows how far it is, from 0 to 1; the frames stay where all of it succeeds."""
     manager = context.window_manager
     manager.progress_begin(0.0, 1.0)
     try:
         yield manager.progress_update
+        frames.finish()
     except BaseException:
-        bake.clear(result)
+        frames.discard()
         raise
     finally:
         manager.progress_end()
@@ -42,7 +42,7 @@ def bake_motion(
     The curve is taken as it lies in the present frame, which therefore has to be one in which it
     fits; from there the frames are visited in order. The present frame comes back at the end.
 
-    Raises DataError or core.MeanderError, with nothing baked.
+    Raises DataError or core.MeanderError; what was baked earlier stays then.
     """
     scene, settings = context.scene, result.meander
     present = scene.frame_current
@@ -50,7 +50,7 @@ def bake_motion(
     frames = Frames(result, scene)
     context.view_layer.update()
     try:
-        with _all_or_nothing(result, context) as show:
+        with _all_or_nothing(frames, context) as show:
             depsgraph = context.evaluated_depsgraph_get()
             follower = follower_of(result, scene, depsgraph)
             sticks = settings.motion == "STICK"
@@ -70,7 +70,6 @@ def bake_motion(
                 show((frame - first + 1) / (last - first + 1))
             if sticks:
                 frames.add_sticking(numbers, places, offsets)
-            frames.finish()
     finally:
         settings.follow = follow
         scene.frame_set(present)
@@ -82,12 +81,12 @@ def bake_growth(
 ) -> bpy.types.Collection:
     """Grows the curve again from its seed and writes a frame after every so many iterations.
 
-    Raises DataError or core.MeanderError, with nothing baked.
+    Raises DataError or core.MeanderError; what was baked earlier stays then.
     """
     plan = plan_of(result, context.scene, context.evaluated_depsgraph_get(), restart=True)
     frames = Frames(result, context.scene)
-    with _all_or_nothing(result, context) as show:
-        grown = GrownCurve(plan)
+    with _all_or_nothing(frames, context) as show:
+        grown = GrownCurve(plan, plan.problem)
         with grown.flow as flow:
             reason, iteration, frame = "running", 0, first
             while True:
@@ -101,7 +100,6 @@ def bake_growth(
                     if reason != "running":
                         break
                 show(iteration / plan.problem.options.iteration_limit)
-        frames.finish()
     return frames.collection
 
 
@@ -111,18 +109,18 @@ def animate_growth(
     """Grows the curve again from its seed and makes one object of its stages, as many as frames.
 
     The run is made twice: what stages there are is known when it has ended. Returns the object's
-    collection, and how many stages there are. Raises DataError or core.MeanderError, with nothing
-    made.
+    collection, and how many stages there are. Raises DataError or core.MeanderError; what
+    was baked earlier stays then.
     """
     plan = plan_of(result, context.scene, context.evaluated_depsgraph_get(), restart=True)
     frames = Frames(result, context.scene)
-    with _all_or_nothing(result, context) as show:
-        with GrownCurve(plan).flow as flow:
+    with _all_or_nothing(frames, context) as show:
+        with GrownCurve(plan, plan.problem).flow as flow:
             flow.run()
             lengths = [entry["length"] for entry in flow.history()]
         show(0.5)
         wanted = set(stages_of(lengths, last - first + 1))
-        grown, stages = GrownCurve(plan), []
+        grown, stages = GrownCurve(plan, plan.problem), []
         with grown.flow as flow:
             for iteration in range(len(lengths) + 1):
                 if iteration:
@@ -131,5 +129,4 @@ def animate_growth(
                     stages.append(grown.polylines()[0])
                     show(0.5 + 0.5 * iteration / len(lengths))
         frames.add_growth(stages, plan.matrix, first, last)
-        frames.finish()
     return frames.collection, len(stages)

@@ -18,12 +18,13 @@ from .. import core
 from ..model import strands
 from ..model.geometry.simplification import result_points
 from ..model.geometry.thinning import least_spacing, with_points
-from ..model.problem import open_flow
+from ..model.problem import Problem, open_flow
 from ..model.profile import radius_factors
 from ..scene import bake
 from ..scene.curve_reader import strands_of_curve
 from ..scene.errors import DataError
 from ..scene.evaluated import is_evaluated
+from ..scene.identity import number_of
 from ..scene.look import modifier_of
 from ..scene.meshes import surface_now, triangles_of
 from ..scene.points import bind
@@ -69,18 +70,19 @@ def _sides(faces: np.ndarray) -> np.ndarray:
 
 
 class GrownCurve:
-    """The flow of a plan, step by step, and the curve that its result shows of it."""
+    """The flow of a plan's problem, step by step, and the curve that its result shows of it: with a
+    mirror that of the half, and its image."""
 
-    def __init__(self, plan: Plan) -> None:
-        # Both halves are there, and move by themselves.
-        opened = open_flow(replace(plan.problem, mirror=None))
+    def __init__(self, plan: Plan, problem: Problem) -> None:
+        opened = open_flow(problem)
         self.flow = opened.flow
+        self._mirror = None if opened.half is None else opened.half.mirror
         self._spacing = least_spacing(plan.problem.options.radius, opened.density)
         self._light = plan.light
         self._keeps_guides = plan.keeps_guides
 
     def polylines(self) -> tuple[core.Polylines, np.ndarray]:
-        """The curve as it is written, and which points of the flow's it has kept."""
+        """The curve as it is written, and which points of the flow's it has kept, of one half."""
         curve = self.flow.polylines()
         kept = result_points(curve, self._spacing, self._light)
         shown = with_points(curve, kept)
@@ -88,7 +90,7 @@ class GrownCurve:
             guides = self.flow.guides()
             kept = kept[strands.points_without_guides(shown, guides)]
             shown = strands.without_guides(shown, guides)
-        return shown, kept
+        return shown if self._mirror is None else self._mirror.polylines(shown), kept
 
 
 class EvenFollower:
@@ -104,7 +106,8 @@ class EvenFollower:
         problem.options.tunings = problem.options.tunings | {"growth_coarsening": 1.0}
         self._faces, self._steps = problem.faces, steps
         try:
-            self._grown = GrownCurve(plan)
+            # Both halves are there, and move by themselves.
+            self._grown = GrownCurve(plan, replace(problem, mirror=None))
         except core.MeanderError as error:
             if error.status != core.Status.INVALID_SEED:
                 raise
@@ -173,17 +176,32 @@ def follower_of(
     return StickingFollower(own.points, own.offsets, own.closed, factors, vertices, faces)
 
 
-# Followers of the results that follow, by full name, which says the library too: what they know is
-# not in the file, and whatever may have changed it (undo, another file) makes new ones necessary.
-_followers: dict[str, Follower] = {}
+# Who a follower is of: what a result is known by, and its name, since before Blender 4.1 another
+# one may get its address.
+Owner = tuple[int, str]
+# Followers of the results that follow: what they know is not in the file, and whatever may have
+# changed it (undo, another file) makes new ones necessary.
+_followers: dict[Owner, Follower] = {}
 # Why a result does not follow, for the panel.
-_problems: dict[str, str] = {}
+_problems: dict[Owner, str] = {}
 _rendering = False
+
+
+def _owner(result: bpy.types.Object) -> Owner:
+    return number_of(result), result.name_full
 
 
 def problem_of(result: bpy.types.Object) -> str | None:
     """Why a result does not follow, as a sentence; None while it does."""
-    return _problems.get(result.name_full)
+    return _problems.get(_owner(result))
+
+
+def _forget_who_went() -> None:
+    """What was deleted takes its flow with it; what was renamed begins again from its curve."""
+    left = {_owner(thing) for thing in bpy.data.objects if thing.type == "CURVE"}
+    for known in (_followers, _problems):
+        for owner in known.keys() - left:
+            del known[owner]
 
 
 def forget() -> None:
@@ -194,7 +212,8 @@ def forget() -> None:
 
 def begin(result: bpy.types.Object, context: bpy.types.Context) -> None:
     """Starts or stops following, as the settings say; the curve fits the present frame."""
-    key = result.name_full
+    key = _owner(result)
+    _forget_who_went()
     _followers.pop(key, None)
     _problems.pop(key, None)
     settings = result.meander
@@ -213,6 +232,8 @@ def _may_change(scene: bpy.types.Scene) -> bool:
 
 
 def on_frame(scene: bpy.types.Scene, depsgraph: Any = None) -> None:
+    if _followers or _problems:
+        _forget_who_went()
     results = [thing for thing in scene.objects if thing.type == "CURVE" and thing.meander.follow]
     if not results or session.current() is not None or not _may_change(scene):
         return
@@ -221,7 +242,7 @@ def on_frame(scene: bpy.types.Scene, depsgraph: Any = None) -> None:
         surface = result.meander.surface
         if surface is None or result.library or result.data.library or result.mode != "OBJECT":
             continue
-        key = result.name_full
+        key = _owner(result)
         try:
             vertices, faces, matrix = surface_now(surface, depsgraph)  # refuses what is hidden
             if key not in _followers:

@@ -54,15 +54,24 @@ class Frames:
     """Frames of a result as objects of their own, each shown in its frame only.
 
     They are plain curves with keys on their visibility, so the file renders wherever it is opened.
+    Until they are finished they are in no scene, and those that were baked earlier stay.
     """
 
     def __init__(self, result: bpy.types.Object, scene: bpy.types.Scene) -> None:
-        clear(result)
-        self._result, self._surface = result, result.meander.surface
-        self.collection = bpy.data.collections.new(f"{result.name} Frames")
-        scene.collection.children.link(self.collection)
-        result.meander.bake = self.collection
+        self._result, self._surface, self._scene = result, result.meander.surface, scene
+        # What is hidden is not evaluated, and a result with a bake is hidden.
+        self._hidden = result.hide_render, result.hide_viewport
+        result.hide_render = result.hide_viewport = False
+        self.collection = bpy.data.collections.new("")
+        self._names: list[tuple[bpy.types.ID, str]] = [(self.collection, f"{result.name} Frames")]
         self._shown: bpy.types.Object | None = None
+
+    def _new(self, what: str, curve: bpy.types.Curve) -> bpy.types.Object:
+        shown = bpy.data.objects.new("", curve)
+        self._names.append((shown, f"{self._result.name} {what}"))
+        self.collection.objects.link(shown)
+        shown.parent = self._surface
+        return shown
 
     def add(
         self,
@@ -74,10 +83,8 @@ class Frames:
         """Shows polylines from `frame` on, instead of those of the frame before."""
         curve = self._result.data.copy()
         write(self._result, curve, polylines, matrix, factors)
-        shown = bpy.data.objects.new(f"{self._result.name} {frame:04d}", curve)
+        shown = self._new(f"{frame:04d}", curve)
         copy_look(self._result, shown)
-        self.collection.objects.link(shown)
-        shown.parent = self._surface
         if self._shown is not None:
             _key_hidden(self._shown, frame, True)
             _key_hidden(shown, frame - 1, True)
@@ -91,10 +98,8 @@ class Frames:
         """One curve whose points go from place to place, as shape keys; points in its own space."""
         curve = self._result.data.copy()
         curve.animation_data_clear()
-        shown = bpy.data.objects.new(f"{self._result.name} Sticking", curve)
+        shown = self._new("Sticking", curve)
         copy_look(self._result, shown)
-        self.collection.objects.link(shown)
-        shown.parent = self._surface
         for frame, places in zip(frames, points, strict=True):
             key = shown.shape_key_add(name=f"{frame:04d}", from_mix=False)
             key.interpolation = "KEY_LINEAR"
@@ -119,9 +124,7 @@ class Frames:
         curve = self._result.data.copy()
         curve.animation_data_clear()
         write(self._result, curve, _together(stages), matrix, None)
-        shown = bpy.data.objects.new(f"{self._result.name} Growth", curve)
-        self.collection.objects.link(shown)
-        shown.parent = self._surface
+        shown = self._new("Growth", curve)
         modifier = shown.modifiers.new("Growth", "NODES")
         modifier.node_group = assets.node_group(GROWTH)
         set_value(modifier, "Stages", len(stages))
@@ -137,9 +140,19 @@ class Frames:
         return shown
 
     def finish(self) -> None:
-        """Hides the result, which the frames replace."""
+        """Shows the frames instead of the result, and instead of those baked earlier."""
+        clear(self._result)
+        for block, name in self._names:  # the earlier ones had them
+            block.name = name
+        self._scene.collection.children.link(self.collection)
+        self._result.meander.bake = self.collection
         self._result.hide_render = True
         self._result.hide_viewport = True
+
+    def discard(self) -> None:
+        """Takes the frames away; the result is as it was."""
+        _remove(self.collection)
+        self._result.hide_render, self._result.hide_viewport = self._hidden
 
 
 def baked_result(thing: bpy.types.Object | None) -> bpy.types.Object | None:
@@ -201,9 +214,13 @@ def clear(result: bpy.types.Object) -> None:
     if collection is None:
         return
     result.meander.bake = None
+    _remove(collection)
+    result.hide_render = result.hide_viewport = False
+
+
+def _remove(collection: bpy.types.Collection) -> None:
     data = [item.data for item in collection.objects]
     bpy.data.batch_remove([*collection.objects, *data, collection])
-    result.hide_render = result.hide_viewport = False
 
 
 def _key_hidden(thing: bpy.types.Object, frame: int, hidden: bool) -> None:
