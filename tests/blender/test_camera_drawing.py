@@ -19,12 +19,15 @@ import pytest
 import scenes
 from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
+from meander import core
 from meander.headless import camera as draw
 from meander.model.camera import PAPERS, Page
-from meander.run.camera import CameraDrawing, DrawingEstimate
+from meander.run.camera import CameraDrawing, DrawingEstimate, Going
+from meander.run.lasting import lasting
 from meander.scene.camera import camera_page
 from meander.ui import camera as camera_operator
 from panel_layout import Layout
+from watched_runs import FakeWindow
 
 SVG = "{http://www.w3.org/2000/svg}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
@@ -226,6 +229,56 @@ def test_nothing_leaves_the_frame(tmp_path: Path) -> None:
     reach = [points[:, 0].min() - low[0], low[0] + sides[0] - points[:, 0].max()]
     reach.append(low[1] + sides[1] - points[:, 1].max())
     assert max(reach) < 10.0
+
+
+def test_a_floor_that_reaches_far_away_is_drawn(
+    tmp_path: Path, capfd: pytest.CaptureFixture
+) -> None:
+    """From half a metre to 60: densities on it would vary by more than the library takes."""
+    eye = camera((0.0, -30.0, 0.4), (0.0, 30.0, 0.0))
+    eye.data.lens = 12.0
+    floor = plane("Floor", 60.0, (0.0, 0.0, 0.0))
+    floor.rotation_euler.x = 0.0
+    scenes.activate(floor)
+    found = drawn(tmp_path / "a.svg", 10.0)
+    assert "its far end is drawn closer than the spacing" in capfd.readouterr().out
+    assert set(found) == {"Floor"}
+    points = np.vstack(found["Floor"])
+    assert np.ptp(points[:, 0]) > 200.0 and np.ptp(points[:, 1]) > 60.0
+
+
+def test_a_drawing_that_fails_on_the_way_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    """And while it goes on nothing else can begin."""
+
+    class Failing:
+        finished = False
+
+        def poll(self) -> None:
+            raise core.MeanderError("There is not enough memory", core.Status.OUT_OF_MEMORY)
+
+        def cancel(self) -> None:
+            pass
+
+        def join(self) -> None:
+            pass
+
+    camera((0.0, -9.0, 0.0))
+    thing = scenes.sphere()
+    operator = camera_operator.MEANDER_OT_draw_camera
+    window = FakeWindow(bpy.context)
+    lasting.drawing = Going(SimpleNamespace(), Failing(), window)
+    scenes.activate(thing)
+    assert not operator.poll(bpy.context) and not bpy.ops.meander.run.poll()
+    said = []
+    this = SimpleNamespace(options=SimpleNamespace(is_invoke=False))
+    this.report = lambda kinds, text: said.append(text)
+    this.cancel = lambda context: operator.cancel(this, context)
+    this._goes_on = lambda context, going: operator._goes_on(this, context, going)
+    event = SimpleNamespace(type="TIMER", value="NOTHING")
+    assert operator.modal(this, bpy.context, event) == {"CANCELLED"}
+    assert said == ["There is not enough memory"]
+    assert lasting.drawing is None and window.texts == [None]
+    assert operator.poll(bpy.context) and bpy.ops.meander.run.poll()
 
 
 def test_instances_are_drawn_and_curves_of_ours_are_not(tmp_path: Path) -> None:

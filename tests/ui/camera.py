@@ -8,6 +8,7 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator
 
 import bpy
+from meander.run.lasting import lasting
 from meander.ui import camera as camera_operator
 from stage import (
     PICTURES,
@@ -49,7 +50,7 @@ def chosen(name: str, spacing: float) -> Iterator[float]:
 
 
 def going() -> bool:
-    return camera_operator._going is not None
+    return lasting.drawing is not None
 
 
 def nothing_is_left() -> Iterator[float]:
@@ -62,6 +63,7 @@ def drawn_to_the_end() -> Iterator[float]:
     yield from chosen("page", 5.0)
     yield from until(going, "the drawing begins")
     assert not bpy.ops.meander.draw_camera.poll(), "a second one must wait"
+    assert not bpy.ops.meander.run.poll(), "and so must a curve"
     yield from until(lambda: any("of 2: " in (text or "") for text in status_texts), "its words")
     picture("camera_drawing")
     yield from until(lambda: not going(), "the drawing ends")

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -44,7 +44,9 @@ from ..scene.rendered import whatever_it_costs
 from ..scene.settings import is_untouched
 from ..scene.visible import seen_parts
 from . import estimate
+from .lasting import lasting
 from .stepper import Stepper
+from .window import Window
 
 # In spacings on paper. No piece is looked at whole that is longer, and no part is drawn that is
 # shorter.
@@ -53,6 +55,10 @@ _LONGEST, _SHORTEST = 0.25, 0.5
 _LIFT = 0.01
 # Points are left out that change the line by less.
 _TOLERANCE = 0.01
+
+
+# Densities of one surface vary by no more (meander.h).
+_MOST_RATIO = 1e4
 
 
 @dataclass
@@ -68,6 +74,23 @@ class Layer:
     strands: list[Strand]
     figures: dict[str, Any]
     unfilled: str = ""
+
+
+@dataclass
+class Going:
+    """A drawing that is being made in a window, and the run that it is at."""
+
+    drawing: CameraDrawing
+    stepper: Stepper | None
+    window: Window
+
+    def end(self) -> None:
+        """Gives back what it has borrowed; a run that is going on ends."""
+        lasting.drawing = None
+        if self.stepper is not None:
+            self.stepper.cancel()
+            self.stepper.join()
+        self.window.give_back()
 
 
 class CameraDrawing:
@@ -110,6 +133,7 @@ class CameraDrawing:
         self._sight = Sight(page, [each.mesh for each in seen], _LIFT * spacing)
         paper = PaperSpacing(page, spacing, depsgraph, fallback)
         self._waiting = [(each.name, paper.problem_of(each)) for each in drawn]
+        self._closer = paper.closer
 
     def estimate(self) -> DrawingEstimate:
         """What all that has not begun comes to; to be asked for before the first next()."""
@@ -206,8 +230,9 @@ class CameraDrawing:
         )
 
     def remarks(self) -> list[str]:
-        """What is left out and why, then what is not filled, a sentence each."""
-        return [*self._left_out(), *(layer.unfilled for layer in self.layers if layer.unfilled)]
+        """What is left out and why, what is not filled, and what is closer, a sentence each."""
+        unfilled = [layer.unfilled for layer in self.layers if layer.unfilled]
+        return [*self._left_out(), *unfilled, *self._closer]
 
     def _left_out(self) -> list[str]:
         return [
@@ -266,12 +291,14 @@ class PaperSpacing:
     """A spacing on paper, in millimetres, for the surfaces of a scene.
 
     fallback   the settings of what nobody has set up; None: those that it has
+    closer     sentences about surfaces whose far end is drawn closer than that
     """
 
     page: CameraPage
     spacing: float
     depsgraph: bpy.types.Depsgraph
     fallback: bpy.types.PropertyGroup | None
+    closer: list[str] = field(default_factory=list)
 
     def _width(self, mesh: Triangles) -> float:
         """The area of a surface on paper over its longest side there, in millimetres."""
@@ -312,7 +339,7 @@ class PaperSpacing:
             mesh.vertices,
             mesh.faces.astype(np.uint32),
             options,
-            density=self._density(mesh, density, spacing),
+            density=self._density(seen.name, mesh, density, spacing),
             directions=directions if mesh.lines is None else mesh.lines,
             alignment="along" if alignment is None else alignment.kind,
         )
@@ -342,10 +369,20 @@ class PaperSpacing:
         return mesh.divided(self._spacing_at, _SCALES)
 
     def _density(
-        self, mesh: Triangles, own: np.ndarray | FieldOn | None, spacing: float
+        self, name: str, mesh: Triangles, own: np.ndarray | FieldOn | None, spacing: float
     ) -> np.ndarray | FieldOn:
-        """By the distance from the camera, and what the surface has of its own."""
+        """By the distance from the camera, and what the surface has of its own, within what the
+        library takes."""
         by_distance = (spacing / self._spacing_at(mesh.vertices)) ** 2
+        of_its_own = 1.0 if mesh.values is None else np.ptp(mesh.values) / mesh.values.min() + 1.0
+        least = by_distance.max() * of_its_own / _MOST_RATIO
+        least = min(least, by_distance.max())
+        if by_distance.min() < least:
+            self.closer.append(
+                f"'{name}' reaches from very near to very far away; its far end is drawn closer "
+                "than the spacing"
+            )
+            by_distance = np.maximum(by_distance, least)
         if callable(own):
             return lambda surface, context=None: by_distance * evaluated(own, surface, context)
         return by_distance if mesh.values is None else by_distance * mesh.values

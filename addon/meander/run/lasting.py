@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from .camera import Going
     from .gaps import Marks
     from .live import Kept
     from .meaning import Meaning
@@ -22,8 +23,10 @@ class Lasting:
     """All of it, each None where there is none."""
 
     def __init__(self) -> None:
-        # The running session. There is one at most: it owns the status bar and the Esc key.
+        # The running session, or the drawing that is made from a camera. There is one of the two at
+        # most: it owns the status bar and the Esc key.
         self.session: Session | None = None
+        self.drawing: Going | None = None
         # The run that was ended last without a result.
         self.suspended: SuspendedRun | None = None
         # The finished run of a curve with Live on.
@@ -37,3 +40,12 @@ class Lasting:
 
 
 lasting = Lasting()
+
+
+def why_busy() -> str | None:
+    """Why nothing that owns status bar and Esc key can begin, in a few words; None: it can."""
+    if lasting.session is not None:
+        return "A curve is growing already"
+    if lasting.drawing is not None:
+        return "A drawing is being made already"
+    return None

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import bpy
@@ -13,9 +12,8 @@ from .. import core
 from ..model.camera import PAPERS, SPACING, CameraPage, Page
 from ..model.estimate import Estimate, described
 from ..model.files.whole import FileError
-from ..run import session
-from ..run.camera import CameraDrawing, DrawingEstimate
-from ..run.stepper import Stepper
+from ..run.camera import CameraDrawing, DrawingEstimate, Going
+from ..run.lasting import lasting, why_busy
 from ..run.window import Window
 from ..scene.blender_versions import ask
 from ..scene.camera import camera_page
@@ -36,27 +34,6 @@ def _papers() -> tuple[tuple[str, str, str], ...]:
         for name, (width, height) in PAPERS.items()
     )
     return (*sizes, ("CUSTOM", "Custom", "Width and Height"))
-
-
-@dataclass
-class _Going:
-    """A drawing that is being made in a window, and the run that it is at."""
-
-    drawing: CameraDrawing
-    stepper: Stepper | None
-    window: Window
-
-    def end(self) -> None:
-        """Gives back what it has borrowed; a run that is going on ends."""
-        global _going
-        _going = None
-        if self.stepper is not None:
-            self.stepper.cancel()
-            self.stepper.join()
-        self.window.give_back()
-
-
-_going: _Going | None = None  # one at most
 
 
 class PageSettings:
@@ -133,8 +110,8 @@ class MEANDER_OT_draw_camera(PageSettings, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        if session.current() is not None or _going is not None:
-            cls.poll_message_set("A curve is growing")
+        if (busy := why_busy()) is not None:
+            cls.poll_message_set(busy)
         elif context.scene.camera is None:
             cls.poll_message_set("The scene has no camera")
         elif context.mode != "OBJECT":
@@ -228,27 +205,27 @@ class MEANDER_OT_draw_camera(PageSettings, bpy.types.Operator):
             self.report({"WARNING"}, remark)
 
     def _watch(self, context: bpy.types.Context, drawing: CameraDrawing) -> set[str]:
-        global _going
-        _going = _Going(drawing, None, Window(context, KEYS))
+        lasting.drawing = Going(drawing, None, Window(context, KEYS))
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
 
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        if _going is None:  # ended by unregister
+        going = lasting.drawing
+        if going is None:  # ended by unregister
             return {"CANCELLED"}
         if event.type == "ESC" and event.value == "PRESS" and over_view(context, event):
-            _going.end()
+            going.end()
             return {"CANCELLED"}
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
         try:
-            if self._goes_on(context):
+            if self._goes_on(context, going):
                 return {"PASS_THROUGH"}
-            drawing = _going.drawing
-            _going.end()
-            self._write(context, drawing)
+            going.end()
+            self._write(context, going.drawing)
             return {"FINISHED"}
         except (DataError, core.MeanderError, FileError) as error:
+            self.cancel(context)  # where it did not get as far as the file
             refuse(self, context.active_object, sentence_of(error))
             return {"CANCELLED"}
         except BaseException:
@@ -256,26 +233,26 @@ class MEANDER_OT_draw_camera(PageSettings, bpy.types.Operator):
             self.cancel(context)
             raise
 
-    def _goes_on(self, context: bpy.types.Context) -> bool:
+    def _goes_on(self, context: bpy.types.Context, going: Going) -> bool:
         """One tick: whether anything is left to be filled."""
-        drawing = _going.drawing
-        if _going.stepper is None or _going.stepper.finished:
-            if _going.stepper is not None:
-                drawing.take(_going.stepper)
-            _going.stepper = drawing.next()
-            if _going.stepper is None:
+        drawing = going.drawing
+        if going.stepper is None or going.stepper.finished:
+            if going.stepper is not None:
+                drawing.take(going.stepper)
+            going.stepper = drawing.next()
+            if going.stepper is None:
                 return False
-            _going.stepper.start()
-        snapshot = _going.stepper.poll()
-        if snapshot is not None and _going.window.text_due(False):
+            going.stepper.start()
+        snapshot = going.stepper.poll()
+        if snapshot is not None and going.window.text_due(False):
             text = f"{drawing.place}: {drawing.name}, {snapshot.progress:.0%}"
-            _going.window.show(context, text, snapshot.progress)
+            going.window.show(context, text, snapshot.progress)
         return True
 
     def cancel(self, _context: bpy.types.Context) -> None:
         """Called by Blender when it closes the window or the file under a run."""
-        if _going is not None:
-            _going.end()
+        if lasting.drawing is not None:
+            lasting.drawing.end()
 
 
 class MEANDER_OT_ask_draw(PageSettings, bpy.types.Operator):
@@ -315,8 +292,8 @@ def register() -> None:
 
 
 def unregister() -> None:
-    if _going is not None:
-        _going.end()
+    if lasting.drawing is not None:
+        lasting.drawing.end()
     bpy.types.TOPBAR_MT_file_export.remove(_menu)
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)

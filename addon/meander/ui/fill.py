@@ -20,6 +20,7 @@ from ..model.estimate import described
 from ..run import estimate as estimates
 from ..run import notes, session, suspended
 from ..run.edit_mode import push_undo
+from ..run.lasting import why_busy
 from ..run.plan import Plan, plan_run
 from ..run.queue import Queue
 from ..run.suspended import SuspendedRun
@@ -73,8 +74,8 @@ def unfilled(figures: bpy.types.PropertyGroup) -> str:
 
 def poll_run(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
     """Whether a run can begin; else the message says why not."""
-    if session.current() is not None:
-        cls.poll_message_set("A curve is growing already")
+    if (busy := why_busy()) is not None:
+        cls.poll_message_set(busy)
         return False
     if context.mode not in _MODES:
         cls.poll_message_set("Works in Object Mode, in Edit Mode of a mesh and in Weight Paint")

@@ -7,7 +7,7 @@ import bpy
 
 from ..model.last_run import GAP_THAT_MATTERS
 from ..run import gaps as gap_marks
-from ..run import session
+from ..run.lasting import why_busy
 from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .settings import MeanderFigures
@@ -34,8 +34,8 @@ class MEANDER_OT_show_gaps(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         result = shown_result(context.active_object, context.scene)
-        if session.current() is not None:
-            cls.poll_message_set("A curve is growing")
+        if (busy := why_busy()) is not None:
+            cls.poll_message_set(busy)
         elif result is None or surface_of(result) is None:
             cls.poll_message_set("Choose a curve that Meander has made, or its mesh")
         elif not result.visible_get():

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..run import session
+from ..run.lasting import why_busy
 from ..scene.made import bring_into_view, made_from
 from ..scene.results import shown_result
 from .refusing import refusing
@@ -28,8 +28,8 @@ class MEANDER_OT_select_curve(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        if session.current() is not None:
-            cls.poll_message_set("A curve is growing")
+        if (busy := why_busy()) is not None:
+            cls.poll_message_set(busy)
         elif _curve_behind(context) is None:
             cls.poll_message_set("Choose a mesh with a curve, or what was made from one")
         elif context.mode != "OBJECT":

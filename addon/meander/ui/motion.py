@@ -7,7 +7,8 @@ import bpy
 from bpy.props import BoolProperty, IntProperty, PointerProperty
 
 from ..run import bake as baking
-from ..run import motion, session
+from ..run import motion
+from ..run.lasting import why_busy
 from ..scene import bake as baked_frames
 from ..scene.fillable import is_result
 from .declared import switch
@@ -151,8 +152,8 @@ class MEANDER_OT_clear_bake(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         result = baked_frames.baked_result(context.active_object)
-        if session.current() is not None:
-            cls.poll_message_set("A curve is growing")
+        if (busy := why_busy()) is not None:
+            cls.poll_message_set(busy)
         elif result is None:
             cls.poll_message_set("Choose a curve with baked frames, one of them, or its mesh")
         elif context.mode != "OBJECT":

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..run import session
+from ..run.lasting import why_busy
 from ..scene.fillable import is_result, why_not
 from ..scene.linked_settings import is_from_file
 from ..scene.results import shown_result
@@ -44,8 +44,8 @@ class OnResult:
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         result = result_of(context)
-        if session.current() is not None:
-            cls.poll_message_set("A curve is growing")
+        if (busy := why_busy()) is not None:
+            cls.poll_message_set(busy)
         elif result is None or result.meander.surface is None:
             cls.poll_message_set(NO_RESULT)
         elif context.mode != "OBJECT":

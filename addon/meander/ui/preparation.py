@@ -6,7 +6,8 @@ from bpy.props import EnumProperty, StringProperty
 
 from .. import core
 from ..model.preparation import faults_in_words
-from ..run import notes, session
+from ..run import notes
+from ..run.lasting import why_busy
 from ..scene import preparation
 from ..scene.attributes import mask_names
 from ..scene.linked_settings import settings_of
@@ -77,8 +78,8 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         surface = surface_of(context.active_object)
-        if session.current() is not None:
-            cls.poll_message_set("A curve is growing")
+        if (busy := why_busy()) is not None:
+            cls.poll_message_set(busy)
         elif surface is None or surface.type != "MESH":
             cls.poll_message_set("Choose a mesh, or a curve that Meander has made on one")
         elif surface.library is not None or surface.data.library is not None:

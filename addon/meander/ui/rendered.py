@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..run import session
+from ..run.lasting import why_busy
 from ..scene import rendered
 from ..scene.fillable import why_not
 from ..scene.linked_settings import is_from_file
@@ -51,8 +51,8 @@ class _MakesSame:
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         surface = surface_of(context.active_object)
-        if session.current() is not None:
-            cls.poll_message_set("A curve is growing")
+        if (busy := why_busy()) is not None:
+            cls.poll_message_set(busy)
         elif surface is None:
             cls.poll_message_set(why_not(context.active_object))
         elif is_from_file(surface) or surface.data is not None and is_from_file(surface.data):

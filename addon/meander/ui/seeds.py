@@ -19,8 +19,9 @@ import numpy as np
 from bpy.props import BoolProperty, EnumProperty
 
 from .. import core
-from ..run import seeds, session
+from ..run import seeds
 from ..run.edit_mode import push_undo
+from ..run.lasting import why_busy
 from ..run.window import redraw
 from ..scene import linked_settings
 from ..scene.blender_versions import settings_of
@@ -40,8 +41,8 @@ def _poll(
     cls: type[bpy.types.Operator], context: bpy.types.Context, modes: tuple, ask: str
 ) -> bool:
     active = context.active_object
-    if session.current() is not None:
-        cls.poll_message_set("A curve is growing")
+    if (busy := why_busy()) is not None:
+        cls.poll_message_set(busy)
     elif active is None or active.type != "MESH" or active.mode not in modes:
         cls.poll_message_set(ask)
     else:
@@ -405,8 +406,8 @@ class MEANDER_OT_draw_seed(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         active = context.active_object
-        if session.current() is not None:
-            cls.poll_message_set("A curve is growing")
+        if (busy := why_busy()) is not None:
+            cls.poll_message_set(busy)
         elif active is None or active.type != "MESH":
             cls.poll_message_set("Choose the mesh to draw on")
         elif not active.visible_get():
@@ -465,8 +466,8 @@ class MEANDER_OT_preview_seed(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        if session.current() is not None:
-            cls.poll_message_set("A curve is growing")
+        if (busy := why_busy()) is not None:
+            cls.poll_message_set(busy)
         elif surface_of(context.active_object) is None:
             cls.poll_message_set(why_not(context.active_object))
         else:
