@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -21,6 +22,14 @@ constexpr int kMostLevel = 40;
 /// Farther away than this through space, in r, patches do not know whether one is hidden from another; there a place
 /// that faces away by more than this (a cosine) is taken for hidden.
 constexpr double kKnown = 2.7, kFacingEachOther = 0.2;
+
+/// Whether the rectangles round two pieces have nothing in common: seldom else in a face that holds many.
+bool boxes_apart(const Piece& p, const Piece& q) {
+  const auto beside = [](double a, double b, double c, double d) {
+    return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
+  };
+  return beside(p.from.x, p.to.x, q.from.x, q.to.x) || beside(p.from.y, p.to.y, q.from.y, q.to.y);
+}
 
 /// Whether two pieces that begin in a common point lie on one another.
 bool overlap(Vec2 common, Vec2 p, Vec2 q) {
@@ -42,7 +51,7 @@ uint32_t LineNetwork::add_node(const Node& node) {
   const auto index = static_cast<uint32_t>(nodes_.size());
   const size_t level = level_of(node.radius);
   nodes_.push_back(node);
-  levels_[level][cell_of(node, level)].nodes.push_back(index);
+  levels_[level][cell_of(node, level)].nodes.push_back({node.place, index});
   count_finer(node, 1);
   return index;
 }
@@ -69,6 +78,7 @@ bool LineNetwork::touches(uint32_t from, uint32_t to, const SurfacePoint& end, c
     const auto others = pieces_.find(mine.piece.face);
     if (others == pieces_.end()) return;
     for (const Owned& other : others->second) {
+      if (boxes_apart(mine.piece, other.piece)) continue;
       // Where they share a node they may touch there, and only there.
       const Vec2 ends[2] = {mine.piece.from, mine.piece.to}, theirs[2] = {other.piece.from, other.piece.to};
       const uint32_t mine_at[2] = {mine.start, mine.end}, theirs_at[2] = {other.start, other.end};
@@ -97,7 +107,7 @@ std::optional<LineNetwork::Meeting> LineNetwork::first_met(uint32_t from, const 
     if (others == pieces_.end()) return;
     for (const Owned& other : others->second) {
       if (mine.start != kNone && (mine.start == other.start || mine.start == other.end)) continue;
-      if (!touch(mine.piece, other.piece)) continue;
+      if (boxes_apart(mine.piece, other.piece) || !touch(mine.piece, other.piece)) continue;
       const Vec2 along = mine.piece.to - mine.piece.from, line = other.piece.to - other.piece.from;
       const double share = cross(other.piece.from - mine.piece.from, line) / cross(along, line);
       if (met && !(share < nearest)) continue;
@@ -133,6 +143,26 @@ void LineNetwork::take_back(const Mark& mark) {
     const size_t level = level_of(nodes_.back().radius);
     levels_[level][cell_of(nodes_.back(), level)].nodes.pop_back();
     count_finer(nodes_.back(), -1);
+  }
+}
+
+LineNetwork::Content& LineNetwork::Cells::operator[](uint64_t key) {
+  if (2 * contents_.size() >= table_.size()) make_room();
+  Slot& found = table_[slot(key)];
+  if (found.content == kNone) {
+    found = {key, static_cast<uint32_t>(contents_.size())};
+    contents_.emplace_back();
+  }
+  return contents_[found.content];
+}
+
+void LineNetwork::Cells::make_room() {
+  constexpr size_t kLeast = 16;
+  std::vector<Slot> before(std::max(kLeast, 2 * table_.size()));
+  before.swap(table_);
+  shift_ = static_cast<uint32_t>(64 - std::countr_zero(table_.size()));
+  for (const Slot& taken : before) {
+    if (taken.content != kNone) table_[slot(taken.key)] = taken;
   }
 }
 

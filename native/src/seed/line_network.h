@@ -81,7 +81,12 @@ class LineNetwork {
   /// always in the same. Stops where it returns true; whether it did.
   template <class Visit>
   bool near(const Node& node, double reach, const Visit& visit) const {
-    const Search<Visit> search{node, surface_.component(node.point.face), reach, visit};
+    return near(node, reach, [](uint32_t) { return true; }, visit);
+  }
+  /// The same for the nodes of those lines for which wanted(line) holds: no distance of others is found.
+  template <class Wanted, class Visit>
+  bool near(const Node& node, double reach, const Wanted& wanted, const Visit& visit) const {
+    const Search<Wanted, Visit> search{node, surface_.component(node.point.face), reach, wanted, visit};
     // Wider ones cell by cell, and finer ones where there are any: a wide node is beside as many fine cells as the cube
     // of the ratio of their radii.
     const size_t own = level_of(node.radius);
@@ -97,42 +102,73 @@ class LineNetwork {
 
  private:
   using Cell = std::array<int64_t, 3>;
+  struct Place {
+    Vec3 place;
+    uint32_t node;
+  };
   struct Content {
-    std::vector<uint32_t> nodes;
+    std::vector<Place> nodes;
     uint32_t finer = 0;  // nodes of lower levels that lie in the cell
   };
-  using Cells = std::unordered_map<uint64_t, Content>;
-  template <class Visit>
+  /// By their keys, with open addressing: a node that is fine looks for cells of many sizes, most of which are empty.
+  class Cells {
+   public:
+    bool empty() const { return contents_.empty(); }
+    /// Null where there is none.
+    const Content* find(uint64_t key) const {
+      return empty() || table_[slot(key)].content == kNone ? nullptr : &contents_[table_[slot(key)].content];
+    }
+    Content& operator[](uint64_t key);
+
+   private:
+    struct Slot {
+      uint64_t key = 0;
+      uint32_t content = kNone;  // kNone: free
+    };
+    /// That of a key, or the free one where it would be.
+    size_t slot(uint64_t key) const {
+      size_t at = (key * 0x9e3779b97f4a7c15u) >> shift_;  // 2^64 over the golden ratio: the highest bits depend on all
+      while (table_[at].content != kNone && table_[at].key != key) at = (at + 1) & (table_.size() - 1);
+      return at;
+    }
+    void make_room();
+
+    std::vector<Slot> table_;  // a power of two of them, at most half of them taken
+    std::vector<Content> contents_;
+    uint32_t shift_ = 0;
+  };
+  template <class Wanted, class Visit>
   struct Search {
     const Node& node;
     uint32_t component;
     double reach;
+    const Wanted& wanted;
     const Visit& visit;
   };
 
   /// Visits what is in the cells of a level from low to high and, where `finer`, in those of lower levels within them.
-  template <class Visit>
-  bool any_among(const Search<Visit>& search, size_t level, const Cell& low, const Cell& high, bool finer) const {
+  template <class Wanted, class Visit>
+  bool any_among(const Search<Wanted, Visit>& search, size_t level, const Cell& low, const Cell& high, bool finer) const {
     for (int64_t x = low[0]; x <= high[0]; ++x) {
       for (int64_t y = low[1]; y <= high[1]; ++y) {
         for (int64_t z = low[2]; z <= high[2]; ++z) {
-          const auto found = levels_[level].find(key(search.component, x, y, z));
-          if (found == levels_[level].end()) continue;
-          for (const uint32_t i : found->second.nodes) {
-            const double chord = (nodes_[i].place - search.node.place).norm();
-            if (!(chord < search.reach)) continue;
+          const Content* found = levels_[level].find(key(search.component, x, y, z));
+          if (!found) continue;
+          for (const auto& [place, i] : found->nodes) {
+            const double chord = (place - search.node.place).norm();
+            if (!(chord < search.reach) || !search.wanted(nodes_[i].line)) continue;
             const double distance = along_surface(search.node, nodes_[i], chord);
             if (distance < search.reach && search.visit(i, distance)) return true;
           }
-          if (finer && found->second.finer > 0 && any_finer(search, level, {x, y, z})) return true;
+          if (finer && found->finer > 0 && any_finer(search, level, {x, y, z})) return true;
         }
       }
     }
     return false;
   }
   /// The same in a cell's eight parts, as far as they are within reach.
-  template <class Visit>
-  bool any_finer(const Search<Visit>& search, size_t level, const Cell& of) const {
+  template <class Wanted, class Visit>
+  bool any_finer(const Search<Wanted, Visit>& search, size_t level, const Cell& of) const {
     const double size = cell_size(level - 1);
     Cell low = cell(search.node.place - Vec3::Constant(search.reach), size);
     Cell high = cell(search.node.place + Vec3::Constant(search.reach), size);

@@ -176,10 +176,10 @@ class Joiner {
   void find_candidates(uint32_t node, std::vector<Candidate>& candidates) {
     const LineNetwork::Node& here = network_.nodes()[node];
     best_.clear();
-    network_.near(here, kUsual.longest * here.radius, [&](uint32_t i, double distance) {
+    const auto wanted = [&](uint32_t line) { return line > here.line && line < LineNetwork::kBoundary; };
+    network_.near(here, kUsual.longest * here.radius, wanted, [&](uint32_t i, double distance) {
       poll_();
       const LineNetwork::Node& other = network_.nodes()[i];
-      if (other.line >= LineNetwork::kBoundary || other.line <= here.line) return false;
       const Vec3 chord = other.place - here.place;
       const Exit a = exit_of(kUsual, node, unit(s_.to_plane(here.point.face, chord)));
       const Exit b = exit_of(kUsual, i, unit(s_.to_plane(other.point.face, -chord)));

@@ -2,6 +2,7 @@
 #include "seed/stripe_phase.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -141,6 +142,13 @@ class StripePhase::Relaxation {
   }
 
  private:
+  /// What is known of a half-edge.
+  struct Step {
+    double rise;    // by how much the phase is to rise along it, to the left of the line of its face
+    double weight;  // half of a cotangent
+    Vec2 turn;      // the unit number whose angle the rise is
+  };
+
   SurfacePoint point(HalfEdge corner) const { return {mesh_.origin(mesh_.face(corner)), mesh_.at(corner)}; }
   Vec2 place(HalfEdge corner) const { return flat(s_, point(corner)); }
   /// Along a half-edge of a face, in the plane of the origin of that.
@@ -173,6 +181,7 @@ class StripePhase::Relaxation {
   void look_at_faces() {
     phase_.directed_.assign(mesh_.face_count(), 0);
     side_.assign(mesh_.half_edge_count(), 1);
+    steps_.assign(mesh_.half_edge_count(), {0, 0, {1, 0}});
     for (uint32_t f = 0; f < mesh_.face_count(); ++f) {
       poll_();
       const Vec2 middle = line_of_face(f);
@@ -183,27 +192,30 @@ class StripePhase::Relaxation {
         directed = directed && std::abs(cosine) >= kLeastAgreement;
       }
       phase_.directed_[f] = directed;
+      if (!directed) continue;
+      const std::array<HalfEdge, 3> corners = mesh_.corners(f);
+      const std::array<Vec2, 3> places{place(corners[0]), place(corners[1]), place(corners[2])};
+      for (size_t k = 0; k < 3; ++k) {
+        steps_[corners[k]] = step(corners[k], middle, places[k], places[(k + 1) % 3], places[(k + 2) % 3]);
+      }
     }
   }
 
-  /// By how much the phase is to rise along a half-edge, to the left of the line of its face.
-  double rise(HalfEdge h) const {
+  /// Along a half-edge of a face, from one place to another, past what lies opposite.
+  Step step(HalfEdge h, Vec2 line_of_face, Vec2 from, Vec2 to, Vec2 opposite) const {
     const SurfacePoint middle{mesh_.origin(mesh_.face(h)), mesh_.at_share(h, 0.5)};
     Vec2 line = unit(field_.at(middle));
-    if (dot(line, line_of_face(mesh_.face(h))) < 0) line = -line;
-    return kWholeTurn / (apart_ * radius_.at(s_, middle)) * dot(Vec2{0, 1} * line, along(h));
-  }
-
-  double weight(HalfEdge h) const {
-    const Vec2 a = place(h) - place(mesh_.prev(h)), b = place(mesh_.next(h)) - place(mesh_.prev(h));
-    return std::max(0.5 * dot(a, b) / cross(a, b), kLeastWeight);
+    if (dot(line, line_of_face) < 0) line = -line;
+    const double rise = kWholeTurn / (apart_ * radius_.at(s_, middle)) * dot(Vec2{0, 1} * line, to - from);
+    const Vec2 a = from - opposite, b = to - opposite;
+    return {rise, std::max(0.5 * dot(a, b) / cross(a, b), kLeastWeight), turned_by(rise)};
   }
 
   /// What the vertex at the start of a half-edge of a face takes from that at its end, and the other way.
-  Mirroring from_end(HalfEdge h) const { return carried(h, mesh_.next(h), -rise(h)); }
-  Mirroring from_start(HalfEdge h) const { return carried(mesh_.next(h), h, rise(h)); }
-  Mirroring carried(HalfEdge to, HalfEdge from, double angle) const {
-    const Vec2 turn = turned_by(side_[to] * angle);
+  Mirroring from_end(HalfEdge h) const { return carried(h, mesh_.next(h), conj(steps_[h].turn)); }
+  Mirroring from_start(HalfEdge h) const { return carried(mesh_.next(h), h, steps_[h].turn); }
+  Mirroring carried(HalfEdge to, HalfEdge from, Vec2 by) const {
+    const Vec2 turn = side_[to] < 0 ? conj(by) : by;
     return side_[to] == side_[from] ? Mirroring{turn, {}} : Mirroring{{}, turn};
   }
 
@@ -224,8 +236,8 @@ class StripePhase::Relaxation {
       mesh_.each_leaving(v, [&](HalfEdge h) {
         if (!phase_.directed_[mesh_.face(h)]) return;
         const HalfEdge before = mesh_.prev(h);
-        add(mesh_.to(h), weight(h), from_end(h));
-        add(mesh_.from(before), weight(before), from_start(before));
+        add(mesh_.to(h), steps_[h].weight, from_end(h));
+        add(mesh_.from(before), steps_[before].weight, from_start(before));
       });
       edges.end_row();
     }
@@ -262,10 +274,10 @@ class StripePhase::Relaxation {
         const Vec2 z = values_[mesh_.from(corner)];
         return side_[corner] < 0 ? conj(z) : z;
       };
-      const Vec2 a = value(h), b = value(mesh_.next(h)), expected = turned_by(rise(h));
+      const Vec2 a = value(h), b = value(mesh_.next(h)), expected = steps_[h].turn;
       const Vec2 beyond = b * conj(a * expected);
       const double start = elementary::atan2(a.y, a.x);
-      const double by = rise(h) + elementary::atan2(beyond.y, beyond.x), end = start + by;
+      const double by = steps_[h].rise + elementary::atan2(beyond.y, beyond.x), end = start + by;
       const double turn = std::round((start + 0.5 * by) / kWholeTurn) * kWholeTurn;
       if (!((start < turn) != (end < turn))) continue;
       const double share = std::clamp((turn - start) / by, 0.01, 0.99);
@@ -282,6 +294,7 @@ class StripePhase::Relaxation {
   CancelToken poll_;
   std::vector<int8_t> sign_;  // per half-edge: of the line at its corner, as the vertex sees it
   std::vector<int8_t> side_;  // per half-edge: of that line, as its face sees it
+  std::vector<Step> steps_;   // per half-edge, of faces with a direction
   std::vector<Vec2> values_;  // per row
 };
 
