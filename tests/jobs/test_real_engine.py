@@ -66,6 +66,26 @@ def test_an_item_that_would_be_too_large_is_a_failed_item(job):
     assert "1 of 1 item done" in job.run("--status").stderr
 
 
+def test_an_item_with_gaps_fails_where_that_is_asked_for(job):
+    job.meshes(a=geometry.obj_text(geometry.grid(6)))
+    text = (
+        '[defaults]\nspacing = 0.1\niterations = %d\nfail-on-gaps = true\n'
+        '[[items]]\ninput = "meshes/*.obj"\n'
+    )
+    job.write(text % 3, fake=False)
+    assert job.run().returncode == 1
+    said = sentence_of(job, "a")
+    assert "of the surface is empty" in said and "raise --iterations" in said
+    # What was made is there, and says the same; the item is tried again all the same.
+    report = json.loads((job.results / "a.report.json").read_text())
+    assert report["empty"]["share"] > 0.5 and (job.results / "a.obj").stat().st_size > 0
+    assert "0 of 1 item" in job.run("--status").stderr
+    job.write(text % 2000, fake=False)
+    assert job.run().returncode == 0
+    report = json.loads((job.results / "a.report.json").read_text())
+    assert report["empty"]["share"] < 0.001
+
+
 def test_a_limit_of_memory_is_a_failed_item(job):
     job.meshes(a=geometry.obj_text(geometry.grid(6)), b=geometry.obj_text(geometry.grid(300)))
     job.write(
