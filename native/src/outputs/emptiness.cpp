@@ -72,7 +72,7 @@ bool Emptiness::closer_than(const SurfacePoint& p, double size) const {
   // What is on another sheet counts as no farther than kFarthest, see at().
   if (!nearest || reach >= kFarthest * r || straight(p)) return nearest.has_value();
   const uint32_t node = near.nodes[nearest->index];
-  return is_connected(p, curve_.nodes[node].face, nodes_[node], reach) || distance_on_surface(p, reach) < reach;
+  return is_connected(p, curve_.nodes[node].face, nodes_[node], reach) || any_on_surface(p, nodes_[node], reach);
 }
 
 Gap Emptiness::at(const SurfacePoint& p) const {
@@ -159,6 +159,30 @@ bool Emptiness::is_connected(const SurfacePoint& p, uint32_t face, const Vec3& g
       if (count == kMost) return false;
       faces[count] = other;
       left[count++] = distance_to_segment(goal, a, b);
+    }
+  }
+  return false;
+}
+
+/// Whether distance_on_surface() is below `reach`. The way there is mostly round an edge towards `goal`, so faces are
+/// entered in the order in which they lead to that, until one holds any piece that is near enough.
+bool Emptiness::any_on_surface(const SurfacePoint& p, const Vec3& goal, double reach) const {
+  const Vec3 x = position(surface_, p);
+  FrontSearch<ReachedNodes> search;
+  search.offer(p.face, 0);
+  while (const auto next = search.next()) {
+    const uint32_t face = *next;
+    for (const uint32_t segment : segments_->of(face)) {
+      const double d = curve_.has_segment(segment) ? distance_to_path(x, segment) : (nodes_[segment] - x).norm();
+      if (d < reach) return true;
+    }
+    const Triangle& corners = surface_.face(face);
+    for (uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge twin = surface_.twin(3 * face + k);
+      if (twin == kNone || search.done(face_of(twin))) continue;
+      const Vec3& a = surface_.position(corners[k]);
+      const Vec3& b = surface_.position(corners[next_corner(k)]);
+      if (distance_to_segment(x, a, b) < reach) search.offer(face_of(twin), distance_to_segment(goal, a, b));
     }
   }
   return false;

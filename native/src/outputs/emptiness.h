@@ -91,6 +91,7 @@ class Emptiness {
   bool reaches(const SurfacePoint& p, double distance, uint32_t segment, uint32_t node) const;
   bool is_connected(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const;
   double distance_on_surface(const SurfacePoint& p, double most) const;
+  bool any_on_surface(const SurfacePoint& p, const Vec3& goal, double reach) const;
 
   const Surface& surface_;
   const Curve& curve_;
