@@ -91,6 +91,30 @@ def a_flower() -> np.ndarray:
     return polar(lambda t: 0.3 + np.abs(np.cos(2.5 * t)), 50_000)
 
 
+def of_ends(across: float, power: float = 1.0) -> np.ndarray:
+    """A convex outline whose ends, left and right or at corners, have the flattest ears."""
+    turn = np.arange(CORNERS) * 2 * np.pi / CORNERS
+    sides = np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    return np.sign(sides) * np.abs(sides) ** power * [across, 1.0]
+
+
+@case
+def a_circle() -> np.ndarray:
+    return of_ends(1.0)
+
+
+@case
+def an_egg() -> np.ndarray:
+    egg = of_ends(1.0)
+    return egg * np.stack([1.0 + 0.2 * egg[:, 1], np.full(len(egg), 1.3)], axis=1)
+
+
+@case
+def a_drop() -> np.ndarray:
+    drop = of_ends(1.0)
+    return drop * np.stack([1.0 - drop[:, 1], np.full(len(drop), 1.5)], axis=1)
+
+
 def area(points: np.ndarray) -> float:
     x, y = points.T
     return 0.5 * float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)))
@@ -111,6 +135,17 @@ def test_a_polygon_stays_in_one_piece(make: Callable[[], np.ndarray]) -> None:
         figures = surface.statistics()
     assert (figures["components"], figures["boundary_loops"]) == (1, 1)
     assert figures["area"] == pytest.approx(area(points), rel=1e-6)
+
+
+@pytest.mark.parametrize("power", [0.5, 0.7])
+def test_places_in_single_precision_stay_in_one_piece(power: float) -> None:
+    """Rounding makes bays that are as flat as the ears."""
+    places = np.column_stack([of_ends(1.0, power), np.zeros(CORNERS)]).astype(np.float32)
+    faces, polygons = core.triangulated(places, np.arange(CORNERS), [CORNERS])
+    with core.Surface(places, faces, Repair().options(places, 0.05, polygons)) as surface:
+        figures = surface.statistics()
+    assert (figures["components"], figures["boundary_loops"]) == (1, 1)
+    assert figures["area"] == pytest.approx(area(places[:, :2].astype(float)), rel=1e-6)
 
 
 def test_a_hole_stays_a_hole() -> None:

@@ -10,6 +10,9 @@ namespace meander {
 namespace {
 
 constexpr double kStretch = 2;
+/// Per triangle. Flips can be as many as the square of the corners, along straight sides of a hundred thousand; what is
+/// flat after these is left to repair.
+constexpr size_t kMostFlips = 1000;
 constexpr uint32_t kRim = UINT32_MAX;
 
 /// Half-edges as in edge_groups.h. This table of what lies beyond each is kept for one polygon only, which is no mesh
@@ -37,8 +40,7 @@ class DiagonalFlips {
   }
 
   void flip_all() {
-    // Far more than are ever needed; nothing ends in a circle, whatever rounding does.
-    size_t left = 64 + triangles_.size() * triangles_.size();
+    size_t left = kMostFlips * triangles_.size();
     while (!doubtful_.empty() && left > 0) {
       const uint32_t e = doubtful_.back();
       doubtful_.pop_back();

@@ -96,10 +96,14 @@ void dissolve_faces_without_area(Soup& soup, PrepareCounts& counts) {
   counts.dropped_faces += soup.drop_collapsed();
   // Chains of faces need several passes.
   constexpr int kMostPasses = 64;
+  size_t before = SIZE_MAX;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const std::vector<uint32_t> flat = faces_without_area(soup, kFlatForRepair);
     if (flat.empty()) return;
-    Dissolving(soup, counts).dissolve(flat);
+    // At the end of a circle of very many corners all divisions are flat.
+    const bool is_stuck = flat.size() >= before;
+    before = flat.size();
+    if (!is_stuck || !collapse_flat_faces(soup, flat, counts)) Dissolving(soup, counts).dissolve(flat);
   }
 }
 

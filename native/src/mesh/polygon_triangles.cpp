@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -44,7 +45,7 @@ class EarCutter {
       for (const uint32_t c : {before, after}) {
         if (corners_[c].turn == kConvex) continue;
         measure(c);
-        if (corners_[c].turn == kConvex) forget_hindrance(c);
+        if (corners_[c].turn == kConvex) --hindrances_;
       }
       first_ = after;
       begin = backwards ? corners_[before].before : corners_[after].after;
@@ -67,6 +68,7 @@ class EarCutter {
     points_ = &points;
     const auto count = static_cast<uint32_t>(points.size());
     corners_.assign(count, {});
+    convex_.assign(count / kWord + 1, 0);
     for (uint32_t c = 0; c < count; ++c) {
       corners_[c].before = c == 0 ? count - 1 : c - 1;
       corners_[c].after = c + 1 == count ? 0 : c + 1;
@@ -83,25 +85,44 @@ class EarCutter {
   void measure(uint32_t c) {
     Corner& corner = corners_[c];
     corner.turn = turn_of((*points_)[corner.before], (*points_)[c], (*points_)[corner.after]);
+    if (corner.turn == kConvex) convex_[c / kWord] |= bit(c);
   }
   void forget(uint32_t c) {
     corners_[c].there = false;
-    if (corners_[c].turn != kConvex) forget_hindrance(c);
+    convex_[c / kWord] &= ~bit(c);
+    if (corners_[c].turn != kConvex) --hindrances_;
   }
-  void forget_hindrance(uint32_t) { --hindrances_; }
 
   uint32_t find_ear(uint32_t begin, bool backwards, size_t left) const {
-    for (const Turn wanted : {kConvex, kStraight}) {
-      uint32_t c = begin;
-      for (size_t i = 0; i < left; ++i) {
-        if (corners_[c].turn == wanted && is_ear(c)) return c;
-        c = backwards ? corners_[c].before : corners_[c].after;
-      }
+    const auto onwards = [&](uint32_t c) { return backwards ? corners_[c].before : corners_[c].after; };
+    uint32_t c = begin;
+    for (size_t i = hindrances_; i < left; ++i, c = onwards(c)) {
+      c = nearest_convex(c, backwards);
+      if (is_ear(c)) return c;
+    }
+    c = begin;
+    for (size_t i = 0; i < left; ++i, c = onwards(c)) {
+      if (corners_[c].turn == kStraight && is_ear(c)) return c;
     }
     // No ear: the polygon crosses itself, or rounding makes it look so.
-    uint32_t c = begin;
+    c = begin;
     for (size_t i = 0; i < left && corners_[c].turn == kConcave; ++i) c = corners_[c].after;
     return c;
+  }
+
+  // A bit for each corner that is there and convex: along straight sides of many corners there is none.
+  static constexpr uint32_t kWord = 64;
+  static uint64_t bit(uint32_t c) { return uint64_t{1} << (c % kWord); }
+  /// The first convex corner from one on, of which there is one.
+  uint32_t nearest_convex(uint32_t c, bool backwards) const {
+    const auto words = static_cast<uint32_t>(convex_.size());
+    uint32_t word = c / kWord;
+    uint64_t left = convex_[word] & (backwards ? bit(c) | (bit(c) - 1) : ~(bit(c) - 1));
+    while (left == 0) {
+      word = backwards ? (word == 0 ? words - 1 : word - 1) : (word + 1 == words ? 0 : word + 1);
+      left = convex_[word];
+    }
+    return word * kWord + static_cast<uint32_t>(backwards ? std::bit_width(left) - 1 : std::countr_zero(left));
   }
 
   bool is_ear(uint32_t c) const {
@@ -166,6 +187,7 @@ class EarCutter {
 
   const std::vector<Vec2>* points_ = nullptr;
   std::vector<Corner> corners_;
+  std::vector<uint64_t> convex_;
   uint32_t first_ = 0;      // a corner that is left
   size_t hindrances_ = 0;   // corners that are left and not convex
   Vec2 low_;

@@ -63,6 +63,14 @@ std::vector<uint32_t> doubled_faces(Soup& soup);
 void drop_doubled_faces(Soup& soup, PrepareCounts& counts);
 
 // ------------------------------------------------------------------------------------------------
+// flat_collapses.cpp: flat faces that stay flat whatever is divided
+
+/// Lets flat faces lose an edge, the shortest of those along which a vertex can go to the other end while every face
+/// stays in its plane and every border on its line, by the height below which a face counts as flat. Some faces at a
+/// time: false if there was none to do it with.
+bool collapse_flat_faces(Soup& soup, std::span<const uint32_t> flat, PrepareCounts& counts);
+
+// ------------------------------------------------------------------------------------------------
 // edge_splits.cpp and seams.cpp, which find them: boundary edges that lie on each other
 
 /// Splits boundary edges at the vertices that lie on them, and divides their faces. True if there were any.
