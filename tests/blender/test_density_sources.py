@@ -241,7 +241,7 @@ def test_attributes_of_a_modifier_are_found():
     values = thing.data.attributes.new("height", "FLOAT", "POINT")
     values.data.foreach_set("value", np.arange(9.0))
     thing.data.color_attributes.new("Paint", "FLOAT_COLOR", "POINT")
-    thing.data.attributes.new("faces", "FLOAT", "FACE")
+    thing.data.attributes.new("edges", "FLOAT", "EDGE")
     modifier = thing.modifiers.new("Subdivision", "SUBSURF")
     modifier.levels = modifier.render_levels = 1
     modifier.subdivision_type = "SIMPLE"
@@ -298,6 +298,30 @@ def test_a_curve_shapes_the_ramp():
     )
 
 
+@pytest.mark.parametrize("kind", ["FLOAT", "INT", "INT8", "BOOLEAN"])
+@pytest.mark.parametrize("domain", ["POINT", "FACE", "CORNER"])
+def test_an_attribute_of_any_numbers(kind, domain):
+    thing = folded_strip()
+    numbers = {"FLOAT": 2.5, "INT": -70_000, "INT8": -7, "BOOLEAN": True}
+    count = {"POINT": 6, "FACE": 2, "CORNER": 7}[domain]
+    values = [numbers[kind] if place % 2 else 0 for place in range(count)]
+    attribute = thing.data.attributes.new("number", kind, domain)
+    for place, value in enumerate(values):
+        attribute.data[place].value = value
+    attribute = thing.data.attributes["number"]
+    assert attributes.is_number(attribute)
+    corners = [0, 1, 2, 3, 1, 4, 2]
+    element = {"POINT": corners, "FACE": [0, 0, 0, 0, 1, 1, 1], "CORNER": range(7)}[domain]
+    by_corner = [values[each] for each in element]
+    wanted = [
+        np.mean([float(by_corner[at]) for at, vertex in enumerate(corners) if vertex == each])
+        for each in range(5)
+    ]
+    low, high = sorted([0.0, float(numbers[kind])])
+    choice = Choice("ATTRIBUTE", "number", value_range=(low, high))
+    assert density(thing, choice)[:5] == expected(np.array(wanted), choice)
+
+
 def test_a_result_has_a_curve_of_its_own(tmp_path):
     thing = grid(cells=6)
     heights = thing.data.attributes.new("height", "FLOAT", "POINT")
@@ -327,8 +351,8 @@ def test_a_result_has_a_curve_of_its_own(tmp_path):
     [
         ({"density_group": "Nowhere"}, "'Nowhere'"),
         ({"density_source": "ATTRIBUTE"}, "no attribute"),
-        ({"density_source": "ATTRIBUTE", "density_attribute": "x"}, "no float attribute of points"),
-        ({"density_source": "ATTRIBUTE", "density_attribute": "faces"}, "per face"),
+        ({"density_source": "ATTRIBUTE", "density_attribute": "x"}, "no attribute of numbers"),
+        ({"density_source": "ATTRIBUTE", "density_attribute": "edges"}, "per edge"),
         ({"density_source": "ATTRIBUTE", "density_attribute": "bad"}, "finite number at vertex 3"),
         ({"density_source": "COLOR"}, "no color attribute"),
         ({"density_source": "COLOR", "density_color": "bad"}, "choose a color attribute"),
@@ -338,7 +362,7 @@ def test_a_result_has_a_curve_of_its_own(tmp_path):
 )
 def test_what_is_missing_or_of_another_kind(settings, words):
     thing = grid(cells=4)
-    thing.data.attributes.new("faces", "FLOAT", "FACE")
+    thing.data.attributes.new("edges", "FLOAT", "EDGE")
     thing.data.attributes.new("bad", "FLOAT", "POINT").data[3].value = float("nan")
     assert words in refused(thing, **settings)
 

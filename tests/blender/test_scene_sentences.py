@@ -102,7 +102,7 @@ def of_attributes(said: Said) -> None:
     thing.vertex_groups.new(name="Other")
     said.by(lambda: vertex_group_weights(thing, depsgraph(), "None"))
     mesh = thing.data
-    kind = (attributes.is_point_float, "float attribute of points")
+    kind = (attributes.is_number, "attribute of numbers")
     said.by(lambda: attributes.named_attribute(mesh, "None", thing, *kind))
     mesh.attributes.new("Vector", "FLOAT_VECTOR", "POINT")
     said.by(lambda: attributes.named_attribute(mesh, "Vector", thing, *kind))

@@ -14,7 +14,7 @@ from .values import number
 # How an option's name ends, its source, and what it names.
 _SOURCES = (
     ("group", "GROUP", "vertex group"),
-    ("attribute", "ATTRIBUTE", "float attribute of points"),
+    ("attribute", "ATTRIBUTE", "attribute of numbers"),
     ("color", "COLOR", "color attribute"),
     ("image", "IMAGE", "image"),
     ("curvature", "CURVATURE", "curvature"),
@@ -38,7 +38,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     add = group.add_argument
     add("--density-group", metavar="NAME", help="vertex group of the .blend's object")
-    add("--density-attribute", metavar="NAME", help="float attribute of points")
+    add("--density-attribute", metavar="NAME", help="numbers of points, faces or corners")
     add("--density-color", metavar="NAME", help="color attribute: its brightness")
     add("--density-image", metavar="NAME", help="image in the .blend: its brightness")
     add("--density-curvature", choices=CURVATURES, help="absolute curvature of the surface")

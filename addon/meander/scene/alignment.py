@@ -23,7 +23,7 @@ from ..model.alignment import (
 from ..model.density import Choice
 from .attributes import (
     is_color,
-    is_point_float,
+    is_number,
     is_point_vector,
     named_attribute,
     uv_of,
@@ -125,19 +125,19 @@ def angle_source_of(
     name: str, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> str:
     """What of a surface or of the file has this name, and can be an angle: a vertex group before a
-    float attribute, a color attribute and an image. Raises DataError where nothing has."""
+    attribute of numbers, a color attribute and an image. Raises DataError where nothing has."""
     if surface.type == "MESH" and name in surface.vertex_groups:
         return "GROUP"
     with surface_mesh(surface, depsgraph) as (mesh, _matrix):
         attribute = mesh.attributes.get(name)
-        if attribute is not None and is_point_float(attribute):
+        if attribute is not None and is_number(attribute):
             return "ATTRIBUTE"
         if attribute is not None and is_color(attribute):
             return "COLOR"
     if name in bpy.data.images:
         return "IMAGE"
     raise DataError(
-        f"'{surface.name}' has no vertex group, float attribute of points or color attribute "
+        f"'{surface.name}' has no vertex group, attribute of numbers or color attribute "
         f"'{name}', and the file has no such image; name one of these for the angle"
     )
 

@@ -14,6 +14,9 @@ from .settings import surface_of
 
 _COLOR_TYPES = ("FLOAT_COLOR", "BYTE_COLOR")
 _FACE_TYPES = ("BOOLEAN", "INT", "INT8")
+_DOMAINS = ("POINT", "FACE", "CORNER")
+# Of numbers, and how numpy holds them.
+_NUMBERS = {"FLOAT": np.float32, "INT": np.int32, "INT8": np.int8, "BOOLEAN": bool}
 
 
 def attributes_seen(
@@ -31,7 +34,7 @@ def attributes_seen(
 def attribute_names(
     settings: bpy.types.PropertyGroup, context: bpy.types.Context, _text: str
 ) -> list[str]:
-    return [item.name for item in attributes_seen(settings, context) if is_point_float(item)]
+    return [item.name for item in attributes_seen(settings, context) if is_number(item)]
 
 
 def color_names(
@@ -59,8 +62,11 @@ def mask_names(
     ]
 
 
-def is_point_float(attribute: bpy.types.Attribute) -> bool:
-    return (attribute.domain, attribute.data_type) == ("POINT", "FLOAT")
+def is_number(attribute: bpy.types.Attribute) -> bool:
+    """Whether it has a number, or yes and no, at every point, face or corner; Blender's own, whose
+    names begin with a dot, are none."""
+    named = not attribute.name.startswith(".")
+    return named and attribute.data_type in _NUMBERS and attribute.domain in _DOMAINS
 
 
 def is_point_vector(attribute: bpy.types.Attribute) -> bool:
@@ -129,7 +135,22 @@ def uv_of(mesh: bpy.types.Mesh, name: str, surface: bpy.types.Object) -> NDArray
     return uv.reshape(-1, 2)
 
 
+def numbers_of(attribute: bpy.types.Attribute) -> NDArray[np.float64]:
+    """The values of an attribute of which is_number() is true."""
+    kind = _NUMBERS[attribute.data_type]
+    values = np.empty(len(attribute.data), dtype=np.int32 if kind is np.int8 else kind)
+    attribute.data.foreach_get("value", values)
+    return values.astype(np.float64)
+
+
 def vertices_of_corners(mesh: bpy.types.Mesh) -> NDArray[np.int32]:
     vertices = np.empty(len(mesh.loops), dtype=np.int32)
     mesh.loops.foreach_get("vertex_index", vertices)
     return vertices
+
+
+def corner_counts(mesh: bpy.types.Mesh) -> NDArray[np.int32]:
+    """How many corners each polygon has."""
+    counts = np.empty(len(mesh.polygons), dtype=np.int32)
+    mesh.polygons.foreach_get("loop_total", counts)
+    return counts

@@ -29,9 +29,11 @@ from ..model.density import (
 )
 from ..model.field import FieldOn
 from .attributes import (
+    corner_counts,
     is_color,
-    is_point_float,
+    is_number,
     named_attribute,
+    numbers_of,
     uv_of,
     vertices_of_corners,
 )
@@ -201,12 +203,13 @@ def _attribute_values(
     choice: Choice, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> Values:
     with surface_mesh(surface, depsgraph) as (mesh, _matrix):
-        attribute = named_attribute(
-            mesh, choice.name, surface, is_point_float, "float attribute of points"
-        )
-        values = np.empty(len(mesh.vertices), dtype=np.float32)
-        attribute.data.foreach_get("value", values)
-    return values.astype(np.float64)
+        attribute = named_attribute(mesh, choice.name, surface, is_number, "attribute of numbers")
+        values = numbers_of(attribute)
+        if attribute.domain == "POINT":
+            return values
+        if attribute.domain == "FACE":
+            values = np.repeat(values, corner_counts(mesh))
+        return mean_at_vertices(values, vertices_of_corners(mesh), len(mesh.vertices))
 
 
 def _color_values(
@@ -233,7 +236,7 @@ def _image_values(
 
 
 _MISSING = {
-    "ATTRIBUTE": "The {} has no attribute; choose a float attribute of points",
+    "ATTRIBUTE": "The {} has no attribute; choose an attribute of numbers",
     "COLOR": "The {} has no color attribute; choose one, or paint one",
     "IMAGE": "The {} has no image; open one, or choose another source",
 }

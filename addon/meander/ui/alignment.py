@@ -110,7 +110,7 @@ class AlignmentSettings:
         items=(
             ("NONE", "Nothing", "The direction stays as it is"),
             ("GROUP", "Vertex Group", "From 0 to 180 degrees by the weight, from 0 to 1"),
-            ("ATTRIBUTE", "Attribute", "Float attribute of points, in degrees"),
+            ("ATTRIBUTE", "Attribute", "Attribute of numbers, in degrees"),
             ("COLOR", "Color", "From 0 to 180 degrees by the brightness, from black to white"),
             ("IMAGE", "Image", "From 0 to 180 degrees by the brightness, from black to white"),
         ),
@@ -122,7 +122,7 @@ class AlignmentSettings:
     )
     alignment_angle_attribute: StringProperty(
         name="Attribute",
-        description="Float attribute of points that has the angle in degrees",
+        description="Attribute of numbers that has the angle in degrees",
         search=attribute_names,
         search_options={"SUGGESTION"},
         options=set(),

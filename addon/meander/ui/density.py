@@ -30,7 +30,7 @@ class DensitySettings:
         items=(
             ("NONE", "None", "The same spacing everywhere"),
             ("GROUP", "Vertex Group", "Weights, as painted in Weight Paint"),
-            ("ATTRIBUTE", "Attribute", "Float attribute of points, such as Geometry Nodes create"),
+            ("ATTRIBUTE", "Attribute", "Attribute of numbers: floats, integers or booleans"),
             ("COLOR", "Vertex Color", "The brightness of painted vertex colors"),
             ("IMAGE", "Image", "The brightness of an image through a UV map"),
             ("CURVATURE", "Curvature", "How strongly the surface bends, in whatever direction"),
@@ -48,7 +48,7 @@ class DensitySettings:
     )
     density_attribute: StringProperty(
         name="Attribute",
-        description="Float attribute of points that varies the spacing over the surface",
+        description="Attribute of points, faces or corners that varies the spacing",
         search=attribute_names,
         search_options={"SUGGESTION"},
         options=set(),
