@@ -10,12 +10,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .. import core
 from ..model import export
 from ..model.options.export import GROUP, ROWS
 from ..model.toolpaths import embroidery, toolpath
 from ..model.toolpaths.drawing import UNITS, Drawing, axes_of, seen_along
+from ..model.toolpaths.order import Order
 from . import flags
 from .input import Input
 from .place import Place
@@ -87,6 +89,17 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
         return "--arcs lie in a plane; give a --layout that is flat, such as top, or leave them out"
     if arguments.layout_map is not None and arguments.layout != "uv":
         return "--layout-map needs --layout uv"
+    for option, wanted in (("begin-at", arguments.begin_at), ("go-on-from", arguments.go_on_from)):
+        if wanted is None:
+            continue
+        if kind is None and suffix not in toolpath.SUFFIXES:
+            return f"--{option} does nothing for an --output of kind {suffix}; leave it out"
+        flat = kind is not None and export.is_flat(kind, _values(arguments))
+        if len(wanted) != (2 if flat else 3):
+            numbers = "two numbers, as the drawing is flat" if flat else "three numbers"
+            return f"--{option} is a place in the coordinates of the file; give {numbers}"
+    if arguments.backwards and kind is None and suffix not in toolpath.SUFFIXES:
+        return f"--backwards does nothing for an --output of kind {suffix}; leave it out"
     if kind is not None and embroidery.is_wanted(arguments.output) and not embroidery.is_there():
         return embroidery.missing_text(None)
     return None
@@ -184,11 +197,9 @@ def write(
     Raises FileError for what is no drawing, and BadInput for one that no machine could take.
     """
     kind, values = export.format_of(arguments.output), _values(arguments)
-    if given.surface_object is None:
-        metres = MESH_UNITS[arguments.input_unit or "m"]
-    else:
-        metres = place.blender(arguments.input).metres()
-    drawing = export.prepared(strands, kind, values, metres, spacing)
+    metres = _metres(arguments, given, place)
+    order = order_of(arguments)
+    drawing = export.prepared(strands, kind, values, metres, spacing, order)
     _refuse_unusable(drawing, arguments, in_space, given)
     title = arguments.output.stem
     head, foot = (
@@ -198,7 +209,7 @@ def write(
     export.write(path, kind, drawing, values, title, core.library_version(), head, foot)
     place.say(f"meander: {drawing.described()}")
     short = len(strands) - len(drawing.strands)
-    if short:
+    if short and order.go_on is None:
         place.warn(f"{short} strands are shorter than a stitch and are left out")
     warning = export.crossing_warning(drawing, kind, values)
     if warning:
@@ -212,6 +223,30 @@ def write(
         "crossings": len(places) if drawing.flat else None,
         "crossing_places": places[:_MOST_PLACES].tolist(),
     }
+
+
+def _metres(arguments: argparse.Namespace, given: Input, place: Place) -> float:
+    """The length of a scene unit."""
+    if given.surface_object is None:
+        return MESH_UNITS[arguments.input_unit or "m"]
+    return place.blender(arguments.input).metres()
+
+
+def order_of(arguments: argparse.Namespace) -> Order:
+    """How the tool follows the strands."""
+    places = (arguments.begin_at, arguments.go_on_from)
+    return Order(
+        *(None if place is None else tuple(place) for place in places), arguments.backwards
+    )
+
+
+def beginning(
+    strands: Sequence[toolpath.Strand], arguments: argparse.Namespace, given: Input, place: Place
+) -> NDArray[np.float64]:
+    """The place of --begin-at among strands that are laid, which is one of the drawing."""
+    kind, values = export.format_of(arguments.output), _values(arguments)
+    metres = _metres(arguments, given, place)
+    return export.in_scene_units(arguments.begin_at, strands, kind, values, metres)
 
 
 def _values(arguments: argparse.Namespace) -> dict[str, Any]:

@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from .. import core
 from ..model import export
+from ..model.files.whole import FileError
 from ..model.geometry import surface_crossings, thinning
-from ..model.toolpaths import parts, poses, toolpath
+from ..model.toolpaths import order, parts, poses, toolpath
 from . import export as export_options
 from . import flags
 from .grown import Grown
@@ -53,6 +54,22 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="D",
         help="how much neighbouring parts have in common; negative: the gap between them; default: "
         "0",
+    )
+    for option, what in (
+        ("begin-at", "begin with the strand nearest to this place, there, or at its nearer end"),
+        ("go-on-from", "leave out what comes before the place of the line nearest to this one"),
+    ):
+        add(
+            f"--{option}",
+            nargs="+",
+            type=number,
+            metavar="X Y",
+            help=f"{what}; in the coordinates of the --output, with a Z where it is not flat",
+        )
+    add(
+        "--backwards",
+        action="store_true",
+        help="follow the line from its end to its beginning, of --go-on-from what is left of it",
     )
     add(
         "--poses",
@@ -141,6 +158,9 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
         "points": arguments.points,
         "part_length": arguments.part_length,
         "part_overlap": arguments.part_overlap,
+        "begin_at": arguments.begin_at,
+        "go_on_from": arguments.go_on_from,
+        "backwards": arguments.backwards,
         "poses": arguments.poses,
         "standoff": arguments.standoff,
         "approach": arguments.approach,
@@ -158,21 +178,30 @@ def write(
     drawn = export.format_of(arguments.output) is not None
     if drawn:
         strands = export_options.laid(strands, arguments, given, place)
+    mesh = None if drawn else toolpath.Mesh(given.problem.vertices, given.problem.faces)
+    ordered = export_options.order_of(arguments)
+    if ordered.begin is not None:
+        begin = ordered.begin
+        if drawn:
+            begin = export_options.beginning(strands, arguments, given, place)
+        strands = order.begun_at(strands, begin, mesh)
     strands = toolpath.resampled(
-        strands,
-        arguments.resample_step,
-        arguments.chord_tolerance,
-        None if drawn else toolpath.Mesh(given.problem.vertices, given.problem.faces),
+        strands, arguments.resample_step, arguments.chord_tolerance, mesh
     )
     spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
     places = None if drawn else _crossings(strands, spacing, arguments)
     if arguments.part_length is not None:
-        mesh = None if drawn else toolpath.Mesh(given.problem.vertices, given.problem.faces)
         overlap = arguments.part_overlap or 0.0
         strands = parts.parted(strands, arguments.part_length, overlap, mesh)
     if drawn:
         done = export_options.write(path, arguments, strands, given, place, spacing, in_space)
         return *done, None
+    if ordered.go_on is not None:
+        strands = order.gone_on(strands, ordered.go_on, mesh)
+        if not strands:
+            raise FileError(order.NOTHING_LEFT)
+    if ordered.backwards:
+        strands = order.backwards(strands)
     if arguments.poses:
         given_poses = [
             poses.poses_of(strand, arguments.standoff or 0.0, arguments.approach or 0.0)

@@ -4,20 +4,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .files.text import read_plain
-from .files.whole import whole_file
+from .files.whole import FileError, whole_file
 from .options.export import ROWS
 from .options.option import Values
 from .toolpaths import embroidery
-from .toolpaths.drawing import VIEWS, Drawing, drawing_of
+from .toolpaths.drawing import VIEWS, Drawing, drawing_of, frame_of
 from .toolpaths.dxf import dxf_text
 from .toolpaths.gcode import Motion, gcode_text, own_line
+from .toolpaths.order import AS_IT_IS, NOTHING_LEFT, Order, backwards, gone_on
 from .toolpaths.svg import svg_text
 from .toolpaths.toolpath import Strand
 
@@ -100,13 +101,23 @@ def format_of(path: Path) -> Format | None:
     return next((kind for kind in FORMATS if suffix in kind.suffixes), None)
 
 
+def is_flat(kind: Format, values: Values) -> bool:
+    """Whether a drawing lies in a plane."""
+    return kind.flat or values["layout_as"] != "space"
+
+
 def is_seen(kind: Format, layout: str) -> bool:
     """Whether a layout shows the curve as an eye sees it, so that the surface can hide it."""
     return layout != "uv" and (kind.flat or layout != "space")
 
 
 def prepared(
-    strands: Sequence[Strand], kind: Format, values: Values, metres: float, spacing: float = 0.0
+    strands: Sequence[Strand],
+    kind: Format,
+    values: Values,
+    metres: float,
+    spacing: float = 0.0,
+    order: Order = AS_IT_IS,
 ) -> Drawing:
     """The drawing that a file of a format holds.
 
@@ -114,20 +125,19 @@ def prepared(
     values    of options.export.ROWS, by setting; not those of which lacks_plane() is true
     metres    the length of a scene unit
     spacing   the least spacing of neighbouring strands, in scene units; 0: it is not known
+    order     from where the drawing goes on and which way, but not where it begins: see
+              in_scene_units(). What is left of it lies where it lay in the whole
 
     Of an embroidery it is the thread, stitch by stitch. Raises FileError with one sentence for what
     is no drawing.
     """
-    unit = values["unit"] if "unit" in kind.options else "mm"
-    drawing = drawing_of(
-        strands,
-        unit,
-        metres,
-        values["scale"],
-        values["size"],
-        flat=_is_flat(kind, values),
-        spacing=spacing,
-    )
+    drawing = drawing_of(strands, *_frame(kind, values, metres), spacing=spacing)
+    if order.go_on is not None:
+        drawing = replace(drawing, strands=gone_on(drawing.strands, order.go_on))
+    if order.backwards:
+        drawing = replace(drawing, strands=backwards(drawing.strands))
+    if not drawing.strands:
+        raise FileError(NOTHING_LEFT)
     if kind.name in ("DST", "PES"):
         return embroidery.stitched(
             drawing, *(values[f"stitch_{name}"] for name in ("length", "tolerance", "least"))
@@ -137,13 +147,23 @@ def prepared(
     return drawing
 
 
-def _is_flat(kind: Format, values: Values) -> bool:
-    return kind.flat or values["layout_as"] != "space"
+def _frame(kind: Format, values: Values, metres: float) -> tuple[str, float, float, float, bool]:
+    unit = values["unit"] if "unit" in kind.options else "mm"
+    return unit, metres, values["scale"], values["size"], is_flat(kind, values)
+
+
+def in_scene_units(
+    place: ArrayLike, strands: Sequence[Strand], kind: Format, values: Values, metres: float
+) -> NDArray[np.float64]:
+    """A place of the drawing that prepared() makes of strands, as a place among them."""
+    origin, factor = frame_of(strands, *_frame(kind, values, metres))
+    wanted = np.asarray(place, dtype=np.float64)
+    return wanted / factor + origin[: len(wanted)]
 
 
 def lacks_plane(kind: Format, values: Values) -> bool:
     """Whether arcs are asked for, which lie in a plane, of a drawing that does not."""
-    return values["arc_tolerance"] > 0.0 and not _is_flat(kind, values)
+    return values["arc_tolerance"] > 0.0 and not is_flat(kind, values)
 
 
 @dataclass(frozen=True)

@@ -117,6 +117,28 @@ def axes_of(layout: str) -> tuple[tuple[float, ...], tuple[float, ...]]:
     return VIEWS["top" if layout == "space" else layout]
 
 
+def frame_of(
+    strands: Sequence[Strand],
+    unit: str,
+    metres: float,
+    scale: float,
+    size: float,
+    flat: bool,
+) -> tuple[NDArray[np.float64], float]:
+    """What is the origin of a drawing, in scene units, and by what lengths are multiplied; see
+    drawing_of, which raises the same."""
+    if not strands:
+        raise FileError("The curve has no strands; fill the surface first")
+    if not all(np.isfinite(strand.points).all() for strand in strands):
+        raise FileError("The curve has points that are not numbers; fill the surface again")
+    low, high = _box(strands)
+    extent = float((high - low).max())
+    factor = scale * metres / UNITS[unit] if size <= 0.0 else size / extent if extent > 0.0 else 0.0
+    if not 0.0 < factor * extent < math.inf:
+        raise FileError("All points of the curve are in one place; fill the surface again")
+    return low if flat else np.zeros(3), factor
+
+
 def drawing_of(
     strands: Sequence[Strand],
     unit: str,
@@ -138,16 +160,7 @@ def drawing_of(
     Raises FileError with one sentence for what is no drawing: no points, points that are not
     numbers, or all of them in one place.
     """
-    if not strands:
-        raise FileError("The curve has no strands; fill the surface first")
-    if not all(np.isfinite(strand.points).all() for strand in strands):
-        raise FileError("The curve has points that are not numbers; fill the surface again")
-    low, high = _box(strands)
-    extent = float((high - low).max())
-    factor = scale * metres / UNITS[unit] if size <= 0.0 else size / extent if extent > 0.0 else 0.0
-    if not 0.0 < factor * extent < math.inf:
-        raise FileError("All points of the curve are in one place; fill the surface again")
-    origin = low if flat else np.zeros(3)
+    origin, factor = frame_of(strands, unit, metres, scale, size, flat)
     return Drawing(
         [
             replace(

@@ -48,11 +48,11 @@ def parted(
                 begin = begin if k > 0 else 0.0
                 end = end if k + 1 < count else strand.length
             if end > begin:
-                found.append(replace(_between(strand, begin, end, mesh), part=len(found) + 1))
+                found.append(replace(between(strand, begin, end, mesh), part=len(found) + 1))
     return found
 
 
-def _between(strand: Strand, begin: float, end: float, mesh: Mesh | None) -> Strand:
+def between(strand: Strand, begin: float, end: float, mesh: Mesh | None) -> Strand:
     """The part of a strand between arc lengths, which may lie beyond the ends of a closed one."""
     arcs, index = strand.arc_lengths, np.arange(len(strand.points))
     if strand.closed:  # once more before and after
