@@ -38,6 +38,14 @@ TRIES = """
 --run-scripts
 --output out.fbx
 --output folder.obj
+--output -
+--output-format svg
+--input - --seed -
+--output - --output-format obj --report -
+--cut -
+--backwards
+--begin-at 0 0
+--output out.svg --begin-at 0 0 0
 --output none/out.obj
 --output sheet.obj
 --output long
@@ -244,6 +252,7 @@ ELSEWHERE = {
     "are available; choose a": "needs a machine without memory: test_memory_limit.py",
     "cannot be written to; choose another": "needs a user without rights: test_whole_files.py",
     "is protected against writing": "the same",
+    "cannot be used in Blender, which prints": "needs Blender: test_standard_streams.py",
     "no spacing gives a length": "test_target_length.py",
     "which no machine can do": "needs pyembroidery",
     "All strands are shorter than a stitch": "the same: test_what_machines_take.py",

@@ -28,6 +28,7 @@ from . import (
     motion,
     preparation,
     quality,
+    standard,
     strands,
     target_length,
     terms,
@@ -60,7 +61,13 @@ def parser(place: Place) -> argparse.ArgumentParser:
         allow_abbrev=False,
     )
     add = parser.add_argument
-    add("--input", type=file_name, required=True, metavar="MESH", help=".obj, .ply, .stl or .blend")
+    add(
+        "--input",
+        type=file_name,
+        required=True,
+        metavar="MESH",
+        help=".obj, .ply, .stl or .blend; - reads a mesh from the standard input",
+    )
     add("--object", metavar="NAME", help="mesh object in the .blend; default: the active one")
     add(
         "--frame",
@@ -75,7 +82,14 @@ def parser(place: Place) -> argparse.ArgumentParser:
         "drivers; without it none is run, whatever Blender's preferences say",
     )
     kinds = ", ".join(OUTPUTS)
-    add("--output", type=file_name, required=True, metavar="OUT", help=f"one of {kinds}")
+    add(
+        "--output",
+        type=file_name,
+        required=True,
+        metavar="OUT",
+        help=f"one of {kinds}; - writes to the standard output",
+    )
+    standard.add_options(parser)
     add("--report", type=file_name, metavar="JSON", help="write figures of the run")
     add(
         "--seed",

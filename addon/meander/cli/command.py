@@ -21,7 +21,7 @@ from ..model.least_bend import sharpest_bend
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.toolpaths import bridges
-from . import cut, least_bend, limits, maps, mirror, preparation, spacing, target_length
+from . import cut, least_bend, limits, maps, mirror, preparation, spacing, standard, target_length
 from .arguments import check_arguments, parsed
 from .exit_code import GapsLeft, exit_code_of, while_heard
 from .grown import Grown, grown_of, length_of, written
@@ -36,6 +36,11 @@ def _process(argv: Sequence[str], place: Place) -> None:
     arguments = parsed(argv, place)
     if arguments.quiet:
         place = replace(place, say=lambda _line: None)
+    with standard.streams(arguments, place) as place_of_run:
+        _run_through(arguments, place_of_run)
+
+
+def _run_through(arguments: argparse.Namespace, place: Place) -> None:
     check_arguments(arguments, place)
     if arguments.output.suffix.lower() == ".blend":
         place.blender(arguments.output).refuse_points(arguments.points)
@@ -154,7 +159,8 @@ def _run(
         return least_bend.run_until_held(opened, options, arguments, place)
     except core.MeanderError as failure:
         if bundle.is_defect(failure):
-            path = arguments.output.with_name(f"{arguments.output.stem}.defect{bundle.SUFFIX}")
+            output = standard.beside_output(arguments)
+            path = output.with_name(f"{output.stem}.defect{bundle.SUFFIX}")
             _leave_bundle(path, opened, failure)
         raise
 

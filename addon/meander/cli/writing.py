@@ -19,7 +19,19 @@ from ..model.geometry import surface_crossings, thinning
 from ..model.joining import joining_of
 from ..model.options.input import light_of
 from ..model.toolpaths import bridges
-from . import cut, density, export, flags, maps, motion, preparation, quality, strands, terms
+from . import (
+    cut,
+    density,
+    export,
+    flags,
+    maps,
+    motion,
+    preparation,
+    quality,
+    standard,
+    strands,
+    terms,
+)
 from . import toolpath as toolpath_options
 from .grown import Grown, bridge_figures, written
 from .input import Input
@@ -70,6 +82,7 @@ def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input)
         "limit_memory": arguments.limit_memory,
         **flags.entries(arguments, options),
         **asdict(options),
+        **standard.echo(arguments),
     }
     if options.segment_length == 0:
         found["segment_length"] = 0.2 * options.radius  # what 0 stands for in the C API

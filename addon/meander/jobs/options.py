@@ -21,6 +21,7 @@ OWN_KEYS = ("name", "input", "object", "frames", "output", "timeout", "memory")
 _REFUSED = {
     "report": "every item has a report beside its output",
     "quiet": "what an item prints is in its log",
+    "output-format": "an output is a file, whose name says it",
     "help": "see --help of batch.py",
     "version": "every report has it",
 }

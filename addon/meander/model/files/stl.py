@@ -64,6 +64,15 @@ def read_stl_mesh(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.uin
     return mesh.vertices, mesh.faces
 
 
+def is_stl(data: bytes) -> bool:
+    """Whether bytes without a name are an STL file: text that says so, or of just the size."""
+    count, size = int.from_bytes(data[80:_HEAD], "little"), len(data) - _HEAD
+    if count > 0 and size == _TRIANGLE.itemsize * count:
+        return True
+    head = data[:_LOOKED_AT].lower()
+    return head.lstrip().startswith(b"solid") and b"facet" in head and b"\0" not in head
+
+
 def _triangles(count: int) -> str:
     return "1 triangle" if count == 1 else f"{count:,} triangles"
 
