@@ -18,6 +18,11 @@ target_compile_options(meander_compile_options INTERFACE
   # on a processor that has it. For the same reason there is no -march=native.
   -ffp-contract=off)
 
+# Exceptions are not part of WebAssembly from the beginning; vectors of two doubles are in every browser that has them.
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "wasm32")
+  target_compile_options(meander_compile_options INTERFACE -fwasm-exceptions -mexception-handling -msimd128)
+endif()
+
 # What is built for release has the same bytes in whatever folder its sources lie.
 if(CMAKE_CROSSCOMPILING)
   target_compile_options(meander_compile_options INTERFACE

@@ -5,7 +5,9 @@
 
 set(MEANDER_HEADERS "" CACHE PATH "A folder with Eigen/ and nanoflann.hpp; empty: the system's")
 
-find_package(Threads REQUIRED)
+if(MEANDER_THREADS)
+  find_package(Threads REQUIRED)
+endif()
 find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
 
 if(MEANDER_HEADERS)

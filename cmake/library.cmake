@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# The native library: meander_core, a static one for the tests, and meander, the shared one.
+# The native library: meander_core, a static one for the tests, and meander, the one that programs load.
 
 set(generated_dir "${PROJECT_BINARY_DIR}/generated")
 configure_file(cmake/version.h.in "${generated_dir}/version.h" @ONLY)
@@ -17,10 +17,24 @@ add_custom_command(
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS
   "${PROJECT_SOURCE_DIR}/native/src/*.cpp" "${PROJECT_SOURCE_DIR}/native/src/*.h")
 
+# The same classes with threads and without.
+set(threaded base/thread_pool.cpp outputs/job.cpp)
+set(serial base/serial_pool.cpp outputs/serial_job.cpp)
+if(MEANDER_THREADS)
+  set(left_out ${serial})
+else()
+  set(left_out ${threaded})
+endif()
+list(TRANSFORM left_out PREPEND "${PROJECT_SOURCE_DIR}/native/src/")
+list(REMOVE_ITEM sources ${left_out})
+
 # OpenMesh's connectivity, whose warnings and assertions are not ours (native/third_party/openmesh). A section for
 # each function lets the linker leave out what nobody calls.
 set(openmesh_dir "${PROJECT_SOURCE_DIR}/native/third_party/openmesh")
 file(GLOB_RECURSE openmesh_sources CONFIGURE_DEPENDS "${openmesh_dir}/*.cc")
+if(NOT MEANDER_THREADS)
+  list(FILTER openmesh_sources EXCLUDE REGEX "/omstream\\.cc$") # native/web/openmesh has another
+endif()
 set_source_files_properties(${openmesh_sources} PROPERTIES
   COMPILE_OPTIONS "-w;-DNDEBUG;-ffunction-sections;-fdata-sections"
   SKIP_UNITY_BUILD_INCLUSION ON
@@ -35,6 +49,9 @@ target_include_directories(meander_core
   PUBLIC "${PROJECT_SOURCE_DIR}/native/include"
          "${PROJECT_SOURCE_DIR}/native/src"
          "${generated_dir}")
+if(NOT MEANDER_THREADS)
+  target_include_directories(meander_core SYSTEM BEFORE PUBLIC "${PROJECT_SOURCE_DIR}/native/web/openmesh")
+endif()
 target_include_directories(meander_core SYSTEM PUBLIC "${openmesh_dir}")
 # EIGEN_MPL2_ONLY makes it an error to use one of the few LGPL parts of Eigen. EIGEN_DONT_VECTORIZE leaves out its
 # vectors for this processor, and EIGEN_VECTORIZE has it use those of base/eigen.h, the same on every platform.
@@ -45,7 +62,10 @@ target_compile_definitions(meander_core
   PRIVATE MEANDER_BUILDING
   INTERFACE MEANDER_STATIC)
 target_link_libraries(meander_core
-  PUBLIC Eigen3::Eigen nanoflann::nanoflann Threads::Threads meander_compile_options)
+  PUBLIC Eigen3::Eigen nanoflann::nanoflann $<TARGET_NAME_IF_EXISTS:Threads::Threads> meander_compile_options)
+if(NOT MEANDER_THREADS)
+  target_compile_definitions(meander_core PUBLIC MEANDER_WITHOUT_THREADS)
+endif()
 
 # What libFuzzer is led by (tests/fuzz). The tests' own code is not counted, and those that do not fuzz are
 # hardly slower: the sanitizer's run-time library ignores the counters.
@@ -53,39 +73,10 @@ if(MEANDER_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   target_compile_options(meander_core PRIVATE -fsanitize-coverage=inline-8bit-counters,pc-table)
 endif()
 
-# The version is part of the file name: a process that has loaded a library keeps it when another
-# takes its path, so the library of an add-on updated in a running Blender needs a name of its own.
-add_library(meander SHARED $<TARGET_OBJECTS:meander_core>)
-set_target_properties(meander PROPERTIES
-  OUTPUT_NAME "meander-${PROJECT_VERSION}"
-  LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib"
-  RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib" # a DLL is one for CMake
-  ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib"
-  LINKER_LANGUAGE CXX
-  LINK_DEPENDS "${PROJECT_SOURCE_DIR}/cmake/exports.map")
-if(WIN32)
-  set_target_properties(meander PROPERTIES PREFIX "")
-endif()
-target_include_directories(meander INTERFACE "${PROJECT_SOURCE_DIR}/native/include")
-target_link_libraries(meander PRIVATE Threads::Threads meander_compile_options)
-if(APPLE)
-  # Hidden visibility and this leave the C API, and the runtime's operators new and delete, which the system
-  # joins with its own.
-  target_link_options(meander PRIVATE -Wl,-dead_strip)
-  # A name without the folder in which it was built.
-  set_target_properties(meander PROPERTIES BUILD_WITH_INSTALL_NAME_DIR ON INSTALL_NAME_DIR "@rpath")
-elseif(MINGW)
-  # What is marked for export is all that is exported; the C++ runtime comes along.
-  target_link_options(meander PRIVATE -static)
-elseif(NOT WIN32)
-  target_link_options(meander PRIVATE
-    "LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/exports.map"
-    "LINKER:--as-needed"
-    "LINKER:--gc-sections")
-  # A sanitized library finds its run-time symbols only in the program that loads it.
-  if(NOT MEANDER_SANITIZE)
-    target_link_options(meander PRIVATE "LINKER:--no-undefined")
-  endif()
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "wasm32")
+  include(cmake/web.cmake)
+else()
+  include(cmake/shared_library.cmake)
 endif()
 
 # Reports of sanitizers name lines of the library. In the tests, whose functions they name, lines would take a sixth of

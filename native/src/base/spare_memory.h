@@ -3,9 +3,10 @@
 // Memory that loops hand on from one block to the next.
 #pragma once
 
-#include <mutex>
 #include <utility>
 #include <vector>
+
+#include "base/lock.h"
 
 namespace meander {
 
@@ -14,7 +15,7 @@ template <class Memory>
 class SpareMemory {
  public:
   Memory take() {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard locked(lock_);
     if (spare_.empty()) return {};
     Memory last = std::move(spare_.back());
     spare_.pop_back();
@@ -22,12 +23,12 @@ class SpareMemory {
   }
   /// It must have forgotten what it knows.
   void give_back(Memory memory) {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard locked(lock_);
     spare_.push_back(std::move(memory));
   }
 
  private:
-  std::mutex mutex_;
+  Lock lock_;
   std::vector<Memory> spare_;
 };
 

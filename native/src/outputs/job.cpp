@@ -3,6 +3,7 @@
 
 #include <new>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "base/exception_memory.h"
@@ -10,20 +11,19 @@
 
 namespace meander {
 
-void RunControl::begin() {
-  progress = 0;
-  under_way = false;
-}
+struct Job::Worker {
+  template <class Work>
+  explicit Worker(const Work& work) : thread(work) {}
+  ~Worker() { thread.join(); }
 
-void RunControl::tell(const Flow& flow, double share) {
-  phase = flow.phase();
-  under_way = true;
-  progress = share;
-}
+  std::thread thread;
+};
+
+Job::Job() = default;
 
 Job::~Job() {
   quit_ = true;
-  if (thread_.joinable()) thread_.join();
+  worker_.reset();
 }
 
 void Job::start(Flow& flow, std::shared_ptr<RunControl> control) {
@@ -34,7 +34,7 @@ void Job::start(Flow& flow, std::shared_ptr<RunControl> control) {
   previews_.begin(flow);
   running_ = true;
   try {
-    thread_ = std::thread([this, &flow] { work(flow, control_.get()); });
+    worker_ = std::make_unique<Worker>([this, &flow] { work(flow, control_.get()); });
   } catch (const std::system_error&) {
     running_ = false;
     control_.reset();
@@ -66,7 +66,7 @@ void Job::work(Flow& flow, RunControl* control) noexcept {
 }
 
 StopReason Job::wait() {
-  thread_.join();
+  worker_.reset();
   control_.reset();
   if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
   return reason_;

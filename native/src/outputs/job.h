@@ -6,31 +6,18 @@
 #include <atomic>
 #include <exception>
 #include <memory>
-#include <thread>
 
 #include "flow/flow.h"
 #include "outputs/previews.h"
+#include "outputs/run_control.h"
 
 namespace meander {
-
-/// What a run asks and tells. Shared, so that a started run can outlive the caller's context.
-struct RunControl {
-  std::atomic<bool> cancelled{false};
-  std::atomic<double> progress{0};
-  std::atomic<Phase> phase{Phase::kGrowing};
-  std::atomic<bool> under_way{false};  ///< an iteration has told its phase
-
-  /// As before the first iteration.
-  void begin();
-  /// How far a run is after an iteration.
-  void tell(const Flow& flow, double share);
-};
 
 /// One run at a time. Between start() and wait() the flow belongs to the worker. All but running()
 /// is called by one thread at a time. Not copyable.
 class Job {
  public:
-  Job() = default;
+  Job();
   /// Cancels and joins what has not been waited for.
   ~Job();
   Job(const Job&) = delete;
@@ -40,7 +27,7 @@ class Job {
   void start(Flow& flow, std::shared_ptr<RunControl> control);
 
   /// start() has been called, and wait() not yet.
-  bool started() const { return thread_.joinable(); }
+  bool started() const { return worker_ != nullptr; }
 
   /// The worker has not ended yet. Any thread.
   bool running() const { return running_; }
@@ -52,6 +39,8 @@ class Job {
   StopReason wait();
 
  private:
+  struct Worker;  // the thread; serial_job.cpp has none
+
   void work(Flow& flow, RunControl* control) noexcept;
 
   std::shared_ptr<RunControl> control_;
@@ -59,7 +48,7 @@ class Job {
   StopReason reason_ = StopReason::kRunning;
   std::exception_ptr error_;
   Previews previews_;
-  std::thread thread_;
+  std::unique_ptr<Worker> worker_;  // last, so that it is joined before the rest goes
 };
 
 }  // namespace meander

@@ -25,7 +25,7 @@ void Previews::after_iteration(const Flow& flow) {
 }
 
 std::optional<size_t> Previews::take(Preview& copy) noexcept {
-  std::lock_guard lock(mutex_);
+  std::lock_guard locked(lock_);
   if (!taken_ && (kept_.empty() || newest_.serial < kept_.front().serial)) {
     copy = std::exchange(newest_, Preview());
     taken_ = true;
@@ -42,7 +42,7 @@ std::optional<size_t> Previews::take(Preview& copy) noexcept {
 
 void Previews::copy(const Flow& flow) {
   fill_next(flow);
-  std::lock_guard lock(mutex_);
+  std::lock_guard locked(lock_);
   std::swap(newest_, next_);
   wanted_ = taken_ = false;
 }
@@ -55,11 +55,11 @@ void Previews::keep(const Flow& flow) {
   kept_length_ = length;
   const size_t points = polyline_point_count(flow.curve());
   {
-    std::lock_guard lock(mutex_);
+    std::lock_guard locked(lock_);
     if (points > point_limit_ - std::min(point_limit_, kept_points_)) return;
   }
   fill_next(flow);
-  std::lock_guard lock(mutex_);
+  std::lock_guard locked(lock_);
   kept_.push_back(std::exchange(next_, Preview()));
   kept_points_ += points;
 }

@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <mutex>
 #include <optional>
 
+#include "base/lock.h"
 #include "flow/flow.h"
 #include "outputs/polylines.h"
 
@@ -47,7 +47,7 @@ class Previews {
   void fill_next(const Flow& flow);
 
   std::atomic<bool> wanted_{false};  // the newest copy has been taken, and none of growth is left
-  std::mutex mutex_;                 // of newest_ and kept_, and of what is about them
+  Lock lock_;                        // of newest_ and kept_, and of what is about them
   Preview newest_;
   bool taken_ = true;  // newest_ has been taken
   std::deque<Preview> kept_;
