@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes what only repeats meander.h: the Python module that declares the C API,
-addon/meander/binding/abi.py, and the tables of its structs that the library itself needs.
+addon/meander/binding/abi.py, the module of the same for JavaScript, and the tables of its structs
+that the library itself needs.
 
 The module contains ctypes structs, enumerations, constants and prototypes, and nothing that is not
 in the header. The C++ header has the layout of every struct, its name, and the _init functions. The
@@ -9,6 +10,7 @@ of C that the header uses, and stops at anything else.
 
     generate_abi.py --header native/include/meander/meander.h --output addon/meander/binding/abi.py
     generate_abi.py --header native/include/meander/meander.h --structs build/generated/structs.inc
+    generate_abi.py --header native/include/meander/meander.h --javascript build/package/web/abi.mjs
 """
 
 from __future__ import annotations
@@ -340,6 +342,45 @@ class Writer:
         raise ParseError(f"no ctypes for {kind.base}{'*' * kind.pointers}")
 
 
+# Bytes of a number where pointers have four, and a number of these bytes is aligned to as many.
+WASM_BYTES = {"char": 1, "uint8_t": 1, "float": 4, "int32_t": 4, "uint32_t": 4, "size_t": 4}
+WASM_BYTES |= {"double": 8, "uint64_t": 8}
+
+
+def javascript(header: Header) -> str:
+    """An ES module: the version, the names of enumerations by number, and where WebAssembly has the
+    fields of every struct.
+    """
+    version = [header.constants[f"MEANDER_VERSION_{part}"] for part in ("MAJOR", "MINOR", "PATCH")]
+    lines = [
+        "// SPDX-License-Identifier: GPL-3.0-or-later",
+        "// Made from meander.h by scripts/generate_abi.py in every build; changes are lost.",
+        f'export const VERSION = "{".".join(map(str, version))}";',
+        f"export const ABI_VERSION = {header.constants['MEANDER_ABI_VERSION']};",
+    ]
+    for name, members in header.enums.items():
+        short = [member.removeprefix(name.upper() + "_").lower() for member in members]
+        pairs = ", ".join(f"{key}: {number}" for key, number in zip(short, members.values()))
+        lines.append(f"export const {class_name(name)} = {{ {pairs} }};")
+    lines.append("// Name of a field: offset, kind, and of an array in place its length.")
+    for name, fields in header.structs.items():
+        at, widest, entries = 0, 1, []
+        for member, kind in fields:
+            base = "size_t" if kind.pointers else header.scalars.get(kind.base, kind.base)
+            size = WASM_BYTES[base]
+            at += -at % size
+            element = kind.base if kind.base in NUMBERS else "size_t"
+            what = f'"{element}*"' if kind.pointers else f'"{base}"'
+            length = "" if kind.length is None else f", {kind.length}"
+            entries.append(f"    {member}: [{at}, {what}{length}],")
+            at += size * (kind.length or 1)
+            widest = max(widest, size)
+        at += -at % widest
+        lines += [f"export const {record_name(name)} = {{", f"  size: {at},", "  fields: {"]
+        lines += [*entries, "  },", "};"]
+    return "\n".join([*lines, ""])
+
+
 def structs_in_cpp(header: Header) -> str:
     """A C++ header, for the namespace meander: the name and the layout of every struct, and a list
     of those that an _init function prepares by their size alone.
@@ -379,11 +420,14 @@ def main() -> int:
     parser.add_argument("--header", type=Path, required=True)
     parser.add_argument("--output", type=Path, help="the Python module")
     parser.add_argument("--structs", type=Path, help="the C++ header of the structs")
+    parser.add_argument("--javascript", type=Path, help="the ES module")
     arguments = parser.parse_args()
     try:
         header = Parser(arguments.header.read_text(encoding="utf-8")).parse()
         if arguments.output:
             _write(arguments.output, Writer(header).module())
+        if arguments.javascript:
+            _write(arguments.javascript, javascript(header))
         if arguments.structs:
             _write(arguments.structs, structs_in_cpp(header))
     except ParseError as problem:

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # install_dependencies.sh [--bpy VERSION]... [--site] [--farm] [--sanitizers]
-# install_dependencies.sh --package [--emulators]
+# install_dependencies.sh --package [--emulators] [--web] [--browser]
 # install_dependencies.sh --build
 #
 # Installs what is missing for building, running and testing on Debian 12: Debian's packages with
@@ -15,6 +15,9 @@
 # With --package it installs what scripts/package.sh needs and nothing else, no Blender: CMake, and in
 # build/package-tools Zig, which compiles for every platform, and the headers that it needs. With
 # --emulators also Wine, qemu and what else tests/platforms needs.
+#
+# With --web also Node, and in build/web-tools what web/package.json names, by npm: what
+# scripts/build_web.sh needs; with --browser Chromium, for scripts/test_web.sh.
 #
 # With --build it installs what scripts/build.sh needs and nothing else.
 #
@@ -39,6 +42,8 @@ bpy_packages=(ca-certificates python3-venv
 # Clang compiles with sanitizers in half of the time that GCC takes.
 sanitizer_packages=(clang libclang-rt-dev python3-clang)
 package_packages=(ca-certificates cmake ninja-build python3 python3-markdown python3-venv "${header_packages[@]}")
+# Node runs 18 in Debian 12; a later one that is on the PATH is as good.
+browser_packages=(chromium fonts-dejavu-core)
 emulator_packages=(python3-pytest python3-numpy gcc libc6-dev binutils llvm googletest
   wine wine64 qemu-user libc6-arm64-cross)
 
@@ -48,6 +53,8 @@ farm=0
 sanitizers=0
 package_tools=0
 emulators=0
+web=0
+browser=0
 build_only=0
 while [ $# -gt 0 ]; do
   case "$1" in
@@ -57,8 +64,10 @@ while [ $# -gt 0 ]; do
     --sanitizers) sanitizers=1; shift ;;
     --package) package_tools=1; shift ;;
     --emulators) emulators=1; shift ;;
+    --web) web=1; shift ;;
+    --browser) browser=1; shift ;;
     --build) build_only=1; shift ;;
-    *) echo "usage: $0 [--bpy VERSION]... [--site] [--farm] [--sanitizers] | --package [--emulators] | --build" >&2
+    *) echo "usage: $0 [--bpy VERSION]... [--site] [--farm] [--sanitizers] | --package [--emulators] [--web] [--browser] | --build" >&2
        exit 2 ;;
   esac
 done
@@ -67,6 +76,11 @@ wanted=("${build_packages[@]}" "${blender_packages[@]}" "${job_packages[@]}")
 [ $build_only -eq 0 ] || wanted=("${build_packages[@]}")
 [ $package_tools -eq 0 ] || wanted=("${package_packages[@]}")
 [ $emulators -eq 0 ] || wanted+=("${emulator_packages[@]}")
+if [ $web -eq 1 ]; then
+  command -v node >/dev/null || wanted+=(nodejs)
+  command -v npm >/dev/null || wanted+=(npm)
+fi
+[ $browser -eq 0 ] || wanted+=("${browser_packages[@]}")
 [ ${#bpy_versions[@]} -eq 0 ] || wanted+=("${bpy_packages[@]}")
 [ $site -eq 0 ] || wanted+=(ca-certificates python3-venv)
 [ $farm -eq 0 ] || wanted+=("${farm_packages[@]}")
@@ -171,5 +185,16 @@ if [ $package_tools -eq 1 ]; then
     mkdir "$tools/include.part"
     cp -RL /usr/include/eigen3/Eigen /usr/include/nanoflann.hpp "$tools/include.part"
     mv "$tools/include.part" "$tools/include"
+  fi
+fi
+if [ $web -eq 1 ]; then
+  tools=build/web-tools
+  # The versions and digests are those of the lock file; no package runs a program of its own.
+  if ! cat web/package.json web/package-lock.json | cmp -s - "$tools/.complete"; then
+    echo "Installing npm's packages into $tools"
+    mkdir -p "$tools"
+    cp web/package.json web/package-lock.json "$tools"
+    npm ci --prefix "$tools" --ignore-scripts --no-audit --no-fund --silent
+    cat web/package.json web/package-lock.json >"$tools/.complete"
   fi
 fi

@@ -204,8 +204,9 @@ MEANDER_API void meander_context_reset(meander_context* context);
 /* How far the present run of a flow is, as a share of the expected work: in [0, 1], never falling
  * during one run, 1 when the run has ended for whatever reason. It is an estimate: while the curve grows
  * it follows the length of the curve towards the length that is expected to fill the surface, and then
- * the iterations. Updated once an iteration, by meander_flow_run and by a started run; 0 before the
- * first run, after a reset, and for NULL. Any thread. */
+ * the iterations. Updated once an iteration, by meander_flow_run, by a started run and by
+ * meander_flow_step, whose steps are one run until a reset; 0 before the first run, after a reset, and for
+ * NULL. Any thread. */
 MEANDER_API double meander_context_progress(const meander_context* context);
 
 /* What the present run of a flow is about. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Flows: from a surface and a seed, step after step.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -93,6 +94,9 @@ meander_status meander_flow_step(meander_flow* flow, meander_context* context, m
     if (!flow->flow->step(cancel_of(context))) {
       throw Failure(FailureKind::kCancelled, "The step was cancelled.");
     }
+    if (!context) return;
+    RunControl& control = *context->control;
+    control.tell(*flow->flow, std::max(control.progress.load(), flow->flow->progress()));
   });
 }
 

@@ -32,6 +32,9 @@ class Flow {
   /// One iteration; false, with everything as before, where `cancel` has stopped it.
   bool step(const CancelToken& cancel);
 
+  /// How far the curve has come, see progress.h.
+  double progress() const;
+
   /// Steps until one of the reasons holds. `progress` is told how far the curve has come, see progress.h, after each
   /// step, and 1 at the end, also where a step throws.
   StopReason run(const CancelToken& cancel, const std::function<void(double)>& progress);
@@ -110,7 +113,6 @@ class Flow {
   void measure_again(ThreadPool& pool);
   /// Those of the last medial axis become radii(), once nothing can fail any more.
   void keep_radii() noexcept { state_.nodes.radii.swap(work_.medial.radii); }
-  double progress() const;
   bool at_scale() const { return state_.domain.surface != state_.domain.given; }
 
   ThreadPool pool_;

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// node --test tests/web/page.test.mjs: the page's story in Chromium, from a folder, without a network.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import os from "node:os";
+import path from "node:path";
+import test, { after, before } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const require = createRequire(path.join(root, "build/web-tools/package.json"));
+const { chromium } = require("playwright-core");
+const PICTURES = process.env.MEANDER_PICTURES; // a folder for pictures of the page
+
+const profile = fs.mkdtempSync(path.join(os.tmpdir(), "meander-page-"));
+let context = null;
+let page = null;
+const asked = []; // addresses that the page has loaded
+const complaints = [];
+
+before(async () => {
+  context = await chromium.launchPersistentContext(path.join(profile, "profile"), {
+    executablePath: process.env.MEANDER_CHROMIUM ?? "/usr/bin/chromium",
+    headless: true,
+    acceptDownloads: true,
+    viewport: { width: 1200, height: 800 },
+    args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+      "--disable-component-update", "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  });
+  page = await context.newPage();
+  page.on("request", (request) => asked.push(request.url()));
+  page.on("pageerror", (problem) => complaints.push(String(problem)));
+  page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
+});
+
+after(async () => {
+  await context?.close();
+  fs.rmSync(profile, { recursive: true, force: true });
+});
+
+const state = () => page.evaluate(() => ({ ...document.body.dataset }));
+const text = (id) => page.locator(`#${id}`).textContent();
+const until = (what, argument) => page.waitForFunction(what, argument, { timeout: 120000, polling: 50 });
+const done = () => until(() => document.body.dataset.run === "done");
+const running = () => until(() => document.body.dataset.run === "running" && document.body.dataset.pictures > 0);
+const shot = (name) => PICTURES && page.screenshot({ path: path.join(PICTURES, `${name}.png`) });
+
+/** Sets a slider or a choice as a person does. */
+const set = (id, value) =>
+  page.locator(`#${id}`).evaluate((control, value) => {
+    control.value = value;
+    control.dispatchEvent(new Event("input", { bubbles: true }));
+    control.dispatchEvent(new Event("change", { bubbles: true }));
+  }, String(value));
+
+/** Drops a file of this name onto the page. */
+async function drop(name, contents) {
+  const problems = (await state()).problems ?? "0";
+  const data = await page.evaluateHandle(
+    ([name, base64]) => {
+      const transfer = new DataTransfer();
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      transfer.items.add(new File([bytes], name));
+      return transfer;
+    },
+    [name, Buffer.from(contents).toString("base64")],
+  );
+  await page.dispatchEvent("#view", "drop", { dataTransfer: data });
+  return problems;
+}
+
+const refused = async (problems) => {
+  await until((problems) => (document.body.dataset.problems ?? "0") !== problems, problems);
+  return text("problem");
+};
+
+/** A sheet of n x n quads, as an OBJ file. */
+function sheet(n) {
+  const lines = [];
+  for (let j = 0; j <= n; ++j) for (let i = 0; i <= n; ++i) lines.push(`v ${i / n} 0 ${j / n}`);
+  for (let j = 0; j < n; ++j) {
+    for (let i = 1; i <= n; ++i) lines.push(`f ${j * (n + 1) + i} ${j * (n + 1) + i + 1} ${(j + 1) * (n + 1) + i + 1} ${(j + 1) * (n + 1) + i}`);
+  }
+  return lines.join("\n");
+}
+
+async function saved(kind) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`.save[data-kind=${kind}]`).click()]);
+  const file = path.join(profile, download.suggestedFilename());
+  await download.saveAs(file);
+  return fs.readFileSync(file);
+}
+
+test("a surface is there, and its line grows", async () => {
+  await page.goto(pathToFileURL(path.join(root, "build/web/index.html")).href);
+  await running();
+  const first = await state();
+  assert.equal(first.mesh, "torus.obj");
+  await shot("first");
+  await until((points) => Number(document.body.dataset.points) > 2 * points, Number(first.points));
+  await done();
+  assert.match(await text("status"), /^Done: [\d,]+ nodes/);
+  assert.ok(asked.every((address) => /^(file|blob|data):/.test(address)), asked.join("\n"));
+  await shot("done");
+});
+
+test("everything that can be used has a name, and the picture turns by keys", async () => {
+  const nameless = await page.evaluate(() =>
+    [...document.querySelectorAll("input, select, button, textarea, progress, canvas")]
+      .filter((control) => !(control.labels?.length || control.ariaLabel || control.textContent.trim()))
+      .map((control) => control.outerHTML),
+  );
+  assert.deepEqual(nameless, []);
+  const before = await page.locator("#canvas").screenshot();
+  await page.locator("#canvas").focus();
+  for (let k = 0; k < 5; ++k) await page.keyboard.press("ArrowLeft");
+  await page.waitForTimeout(300);
+  assert.ok(!before.equals(await page.locator("#canvas").screenshot()));
+});
+
+test("a mesh that is dropped is filled", async () => {
+  await drop("sheet.obj", sheet(8));
+  await until(() => document.body.dataset.mesh === "sheet.obj");
+  await done();
+  assert.match(await text("facts"), /^128 faces/);
+  assert.match(await page.locator("#command").inputValue(), /^meander --input sheet\.obj --spacing 0\.0385 --quality even --output sheet_line\.obj$/);
+});
+
+test("the line is saved as what programs read", async () => {
+  const obj = (await saved("obj")).toString();
+  const points = obj.match(/^v /gm).length;
+  assert.equal(points, Number((await state()).points));
+  assert.ok(obj.match(/^l /gm).length >= 1);
+  const svg = (await saved("svg")).toString();
+  assert.match(svg, /^<svg [^>]*width="[\d.]+mm"/);
+  assert.ok(svg.includes("<polyline"));
+  const ply = (await saved("ply")).toString();
+  assert.match(ply, new RegExp(`element vertex ${points}\\n`));
+  const glb = await saved("glb");
+  assert.equal(glb.subarray(0, 4).toString(), "glTF");
+  assert.equal(glb.readUInt32LE(8), glb.length);
+  assert.equal((await saved("png")).subarray(1, 4).toString(), "PNG");
+  // What was saved as GLB is a mesh, too.
+  await drop("tube.glb", glb);
+  await until(() => document.body.dataset.mesh === "tube.glb");
+  await until(() => document.body.dataset.run === "running" || document.body.dataset.run === "done");
+  await page.keyboard.press("Escape");
+});
+
+test("rows, qualities and the spacing are taken, and looks change no line", async () => {
+  await drop("sheet.obj", sheet(8));
+  await until(() => document.body.dataset.mesh === "sheet.obj");
+  await set("rows", "x");
+  await set("across", 12);
+  await until(() => document.getElementById("command").value.includes("--quality rows --direction x"));
+  await page.waitForTimeout(300);
+  await done();
+  const { pictures, points } = await state();
+  await set("colours", "ink");
+  await set("thickness", 0.9);
+  assert.deepEqual([(await state()).pictures, (await state()).points], [pictures, points]);
+  await shot("rows");
+  await set("rows", "");
+  await set("quality", "flowing");
+  await page.waitForTimeout(300);
+  await done();
+});
+
+test("a seed is drawn on the surface", async () => {
+  await page.locator("#draw").click();
+  const box = await page.locator("#canvas").boundingBox();
+  const at = (x, y) => [box.x + box.width * x, box.y + box.height * y];
+  await page.mouse.move(...at(0.42, 0.5));
+  await page.mouse.down();
+  for (let k = 0; k <= 10; ++k) await page.mouse.move(...at(0.42 + 0.016 * k, 0.5));
+  await page.mouse.up();
+  await until(() => !document.getElementById("clear").disabled);
+  assert.match(await page.locator("#command").inputValue(), /--seed sheet_seed\.obj/);
+  await done();
+  assert.equal(await text("problem"), "");
+  await page.keyboard.press("Escape"); // leaves the drawing
+  assert.equal(await page.locator("#draw").getAttribute("aria-pressed"), "false");
+});
+
+test("a run is paused, goes on, and is stopped by Esc", async () => {
+  await set("example", "knot");
+  await until(() => document.body.dataset.mesh === "knot.obj");
+  await set("across", 70);
+  await page.waitForTimeout(300);
+  await running();
+  await page.locator("#pause").click();
+  await page.waitForTimeout(300); // of a step that went on
+  const paused = await state();
+  await page.waitForTimeout(300);
+  assert.deepEqual(await state(), paused);
+  assert.equal(paused.run, "paused");
+  await page.locator("#pause").click();
+  await until((pictures) => Number(document.body.dataset.pictures) > pictures + 1, Number(paused.pictures));
+  await shot("grows");
+  await page.keyboard.press("Escape");
+  await done();
+  assert.match(await text("status"), /^Stopped: /);
+  assert.ok((await saved("obj")).length > 0);
+});
+
+test("odd files are refused with a sentence, and the page goes on", async () => {
+  assert.match(await refused(await drop("odd.obj", "f 1 2 3\n")), /^Line 1: /);
+  assert.match(await refused(await drop("odd.ply", "\0\0\0\0")), /no PLY header/);
+  assert.match(await refused(await drop("odd.glb", "glTF")), /no GLB file/);
+  assert.match(await refused(await drop("odd.txt", "?")), /no OBJ, PLY or STL file/);
+  await drop("sheet.obj", sheet(4));
+  await until(() => document.body.dataset.mesh === "sheet.obj");
+  await done();
+  assert.equal(await text("problem"), "");
+});
+
+test("a mesh too large for a tab is refused before it is filled", async () => {
+  const large = sheet(1010); // two million triangles and more
+  assert.match(await refused(await drop("large.obj", large)), /more than a tab has room for/);
+  await set("example", "torus");
+  await until(() => document.body.dataset.mesh === "torus.obj");
+  await done();
+});
+
+test("it fits a narrow window, in the dark", async () => {
+  await page.setViewportSize({ width: 380, height: 760 });
+  await page.emulateMedia({ colorScheme: "dark" });
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(wide <= 380, String(wide));
+  await shot("narrow");
+  assert.deepEqual(complaints, []);
+});
