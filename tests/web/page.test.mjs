@@ -99,8 +99,8 @@ test("a surface is there, and its line grows", async () => {
   const first = await state();
   assert.equal(first.mesh, "torus.obj");
   await shot("first");
-  await until((points) => Number(document.body.dataset.points) > 2 * points, Number(first.points));
   await done();
+  assert.ok(Number((await state()).points) > 5 * Number(first.least)); // of the first picture, a small loop
   assert.match(await text("status"), /^Done: [\d,]+ nodes/);
   assert.ok(asked.every((address) => /^(file|blob|data):/.test(address)), asked.join("\n"));
   await shot("done");
@@ -125,7 +125,7 @@ test("a mesh that is dropped is filled", async () => {
   await until(() => document.body.dataset.mesh === "sheet.obj");
   await done();
   assert.match(await text("facts"), /^128 faces/);
-  assert.match(await page.locator("#command").inputValue(), /^meander --input sheet\.obj --spacing 0\.0385 --quality even --output sheet_line\.obj$/);
+  assert.match(await page.locator("#command").inputValue(), /^meander --input sheet\.obj --spacing 0\.0384615 --quality even --output sheet_line\.obj$/);
 });
 
 test("the line is saved as what programs read", async () => {
@@ -187,7 +187,7 @@ test("a seed is drawn on the surface", async () => {
 test("a run is paused, goes on, and is stopped by Esc", async () => {
   await set("example", "knot");
   await until(() => document.body.dataset.mesh === "knot.obj");
-  await set("across", 70);
+  await set("across", 120);
   await page.waitForTimeout(300);
   await running();
   await page.locator("#pause").click();
@@ -196,9 +196,9 @@ test("a run is paused, goes on, and is stopped by Esc", async () => {
   await page.waitForTimeout(300);
   assert.deepEqual(await state(), paused);
   assert.equal(paused.run, "paused");
-  await page.locator("#pause").click();
-  await until((pictures) => Number(document.body.dataset.pictures) > pictures + 1, Number(paused.pictures));
   await shot("grows");
+  await page.locator("#pause").click();
+  await until((pictures) => Number(document.body.dataset.pictures) > pictures, Number(paused.pictures));
   await page.keyboard.press("Escape");
   await done();
   assert.match(await text("status"), /^Stopped: /);

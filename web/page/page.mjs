@@ -164,6 +164,7 @@ const ANSWERS = {
     view.setLine(line);
     of("progress").value = ended ? 1 : progress;
     state.points = String(line.positions.length / 3);
+    state.least = String(Math.min(Number(state.least ?? Infinity), line.positions.length / 3));
     state.pictures = String(Number(state.pictures ?? 0) + 1);
     state.first ??= String(Math.round(performance.now()));
     if (ended) {

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What is seen: the surface, its line, and strokes that are drawn; a picture only when something has changed.
-import { BufferAttribute, Color, Group, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { BufferAttribute, Color, ColorManagement, Group, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { newSurface, newTube, shape } from "./tube.mjs";
 
 const COLOURS = {
   clay: { surface: "#e3d9cb", line: "#b8401c" },
-  ink: { surface: "#f7f5f0", line: "#23252b" },
-  rainbow: { surface: "#3c3f47", line: "#b8401c" },
+  ink: { surface: "#f7f5f0", line: "#34363f" },
+  rainbow: { surface: "#4a4d57", line: "#b8401c" },
 };
+// The shaders compute with colours as they are seen.
+ColorManagement.enabled = false;
+
 const TURN = 0.12; // radians for an arrow key
 
 export class View {
