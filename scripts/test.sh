@@ -11,8 +11,8 @@
 #
 # With --all, every night or by hand, also what is compiled anew for it, which takes longer than all else: the native
 # tests and a minute of fuzzing the C API under sanitizers, what runs in threads under ThreadSanitizer, whether curves
-# have the same bytes however the library is compiled, what pip builds from the sources, and the library of a release
-# for Windows.
+# have the same bytes however the library is compiled, the library and the page for browsers, what pip builds from the
+# sources, and the library of a release for Windows.
 #
 # The summary names the slowest test of each suite with its processor seconds; all are in
 # build/logs/SUITE.times. Where MEANDER_TEST_LIMIT is set, a test that takes more processor seconds
@@ -170,6 +170,7 @@ if $all; then
   beside suite threads 1800 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_threads.sh
   beside check sources 2400 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_source_package.sh
   beside suite bytes 2400 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_same_bytes.sh
+  beside suite web 2400 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_web.sh
 fi
 profile blender-3.4
 beside suite blender-3.4 900 "${in_profile[@]}" \

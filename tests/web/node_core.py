@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+_SCRIPT = Path(__file__).with_name("serve.mjs")
 _TYPES = {"Float64Array": np.float64, "Uint32Array": np.uint32, "Uint8Array": np.uint8}
 
 
@@ -57,9 +58,9 @@ class NodeCore:
     MedialAxis = BoundaryRule = StopRule = _Names()
     Seed, SurfaceOptions = Seed, SurfaceOptions
 
-    def __init__(self, script: Path = Path(__file__).with_name("serve.mjs")) -> None:
+    def __init__(self) -> None:
         self._process = subprocess.Popen(
-            ["node", str(script)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+            ["node", str(_SCRIPT)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
         )
         self.CURVATURES, self.DIRECTIONS = self.ask("CURVATURES"), self.ask("DIRECTIONS")
 

@@ -2,6 +2,7 @@
 //
 // node --test tests/web/page.test.mjs: the page's story in Chromium, from a folder, without a network.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import { createRequire } from "node:module";
 import os from "node:os";
@@ -13,6 +14,14 @@ const root = fileURLToPath(new URL("../..", import.meta.url));
 const require = createRequire(path.join(root, "build/web-tools/package.json"));
 const { chromium } = require("playwright-core");
 const PICTURES = process.env.MEANDER_PICTURES; // a folder for pictures of the page
+
+// The command of the Python package, from this checkout.
+const COMMAND = `
+import sys
+sys.path.insert(0, "${path.join(root, "addon")}")
+from meander.cli import command
+from meander.cli.place import Place
+sys.exit(command.main(sys.argv[1:], Place("meander", print)))`;
 
 const profile = fs.mkdtempSync(path.join(os.tmpdir(), "meander-page-"));
 let context = null;
@@ -125,7 +134,7 @@ test("a mesh that is dropped is filled", async () => {
   await until(() => document.body.dataset.mesh === "sheet.obj");
   await done();
   assert.match(await text("facts"), /^128 faces/);
-  assert.match(await page.locator("#command").inputValue(), /^meander --input sheet\.obj --spacing 0\.0384615 --quality even --output sheet_line\.obj$/);
+  assert.match(await page.locator("#command").inputValue(), /^meander --input sheet\.obj --spacing 0\.03846 --quality even --output sheet_line\.obj$/);
 });
 
 test("the line is saved as what programs read", async () => {
@@ -142,6 +151,15 @@ test("the line is saved as what programs read", async () => {
   assert.equal(glb.subarray(0, 4).toString(), "glTF");
   assert.equal(glb.readUInt32LE(8), glb.length);
   assert.equal((await saved("png")).subarray(1, 4).toString(), "PNG");
+  const mesh = (await saved("mesh")).toString();
+  assert.equal(mesh.match(/^v /gm).length, 81);
+  assert.equal(mesh.match(/^f /gm).length, 128);
+  // The command that the page shows gives the same line.
+  fs.writeFileSync(path.join(profile, "sheet.obj"), sheet(8));
+  const words = (await page.locator("#command").inputValue()).split(" ").slice(1);
+  execFileSync("/usr/bin/python3", ["-c", COMMAND, ...words, "--quiet"], { cwd: profile });
+  const numbers = (text) => text.match(/^v .*$/gm).map((row) => row.split(" ").slice(1).map(Number));
+  assert.deepEqual(numbers(fs.readFileSync(path.join(profile, "sheet_line.obj"), "utf8")), numbers(obj));
   // What was saved as GLB is a mesh, too.
   await drop("tube.glb", glb);
   await until(() => document.body.dataset.mesh === "tube.glb");
@@ -180,6 +198,7 @@ test("a seed is drawn on the surface", async () => {
   assert.match(await page.locator("#command").inputValue(), /--seed sheet_seed\.obj/);
   await done();
   assert.equal(await text("problem"), "");
+  assert.match((await saved("seed")).toString(), /^l 1 2 3/m);
   await page.keyboard.press("Escape"); // leaves the drawing
   assert.equal(await page.locator("#draw").getAttribute("aria-pressed"), "false");
 });

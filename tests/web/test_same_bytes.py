@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Curves of build/web/meander.mjs have the bytes of those of the native library.
 
-    MEANDER_CASES=sheet pytest tests/web     only fingerprints whose names contain this
+MEANDER_CASES=sheet pytest tests/web     only fingerprints whose names contain this
 """
 
 from __future__ import annotations

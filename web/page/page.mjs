@@ -34,7 +34,8 @@ const ask = (message, transfer = []) => worker.postMessage({ ...message, id: wis
 // ---- What the settings say --------------------------------------------------------------------------------------
 
 const across = () => Number(controls.across.value);
-const spacing = () => Math.sqrt(mesh.area) / across();
+// Of as many digits as the command says.
+const spacing = () => Number((Math.sqrt(mesh.area) / across()).toPrecision(4));
 const radiusOfTube = () => (Number(controls.thickness.value) * spacing()) / 2;
 
 function look() {
@@ -47,7 +48,7 @@ function look() {
 }
 
 function command() {
-  const words = ["meander", "--input", mesh.suffix === "glb" ? `${mesh.stem}.obj` : mesh.name, "--spacing", digits(spacing(), 6)];
+  const words = ["meander", "--input", mesh.suffix === "glb" ? `${mesh.stem}.obj` : mesh.name, "--spacing", digits(spacing(), 4)];
   const rows = controls.rows.value;
   if (rows) words.push("--quality", "rows", "--direction", rows);
   else words.push("--quality", controls.quality.value);
@@ -73,20 +74,24 @@ function setRunning(what) {
   of("again").disabled = !mesh || what === "loading";
   says("pause", what === "paused" ? "Go on" : "Pause");
   of("pause").setAttribute("aria-pressed", String(what === "paused"));
-  for (const button of document.querySelectorAll(".save")) button.disabled = !line;
+  for (const button of document.querySelectorAll(".save")) {
+    const { kind } = button.dataset;
+    button.disabled = kind === "mesh" ? !mesh : kind === "seed" ? strokes.length === 0 : !line;
+  }
 }
 
 function fill() {
   if (!mesh) return;
   ++wish;
   line = null;
+  state.pictures = "0";
   view.setLine(null);
   describe();
   look();
   says("problem", "");
   says("status", "Begins …");
   of("progress").value = 0;
-  ask({ kind: "fill", across: across(), quality: controls.quality.value, rows: controls.rows.value, strokes });
+  ask({ kind: "fill", spacing: spacing(), quality: controls.quality.value, rows: controls.rows.value, strokes });
   setRunning("running");
 }
 
@@ -182,6 +187,7 @@ const ANSWERS = {
     says("left", left(progress, spent));
     setRunning(state.run === "paused" ? "paused" : "running");
   },
+  obj: ({ text }) => download("mesh", text),
   problem({ text }) {
     says("problem", text);
     says("status", "");
@@ -264,6 +270,13 @@ const AXES = {
 async function contents(kind) {
   const upright = controls.upright.checked;
   if (kind === "obj") return objOf(line);
+  if (kind === "seed") {
+    return objOf({
+      positions: strokes.flatMap(({ points }) => points),
+      offsets: strokes.reduce((ends, { points }) => [...ends, ends[ends.length - 1] + points.length / 3], [0]),
+      closed: strokes.map((stroke) => stroke.closed),
+    });
+  }
   if (kind === "ply") return plyOf(line);
   if (kind === "glb") return glbOf(line, radiusOfTube(), upright);
   if (kind === "png") return view.picture();
@@ -272,11 +285,18 @@ async function contents(kind) {
   return svgOf(line, axes, 0.4 * spacing());
 }
 
+const ENDINGS = { mesh: ".obj", seed: "_seed.obj" };
+
 async function save(kind) {
+  if (kind === "mesh") ask({ kind: "obj" }); // the worker has it in all its digits
+  else download(kind, await contents(kind));
+}
+
+function download(kind, text) {
   const link = document.createElement("a");
-  const blob = new Blob([await contents(kind)]);
+  const blob = new Blob([text]);
   link.href = URL.createObjectURL(blob);
-  link.download = `${mesh.stem}_line.${kind}`;
+  link.download = `${mesh.stem}${ENDINGS[kind] ?? `_line.${kind}`}`;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 60000);
   says("status", `Saved ${link.download}.`);

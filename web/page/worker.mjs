@@ -61,9 +61,8 @@ const axisField = (axis, vertices) => {
   return field;
 };
 
-function begin({ id, across, quality, rows, strokes }) {
+function begin({ id, spacing, quality, rows, strokes }) {
   end();
-  const spacing = Math.sqrt(mesh.area) / across;
   const surface = new Surface(mesh.positions, mesh.faces, safeRepairs(mesh.positions, spacing));
   try {
     const options = { preset: quality === "flowing" ? "even" : quality, radius: spacing / 2 };
@@ -120,6 +119,15 @@ function step() {
   tick();
 }
 
+/** The mesh as a file that the command reads. */
+function objOfMesh() {
+  const lines = ["# Meander"];
+  const { positions, faces } = mesh;
+  for (let i = 0; i < positions.length; i += 3) lines.push(`v ${positions[i]} ${positions[i + 1]} ${positions[i + 2]}`);
+  for (let i = 0; i < faces.length; i += 3) lines.push(`f ${faces[i] + 1} ${faces[i + 1] + 1} ${faces[i + 2] + 1}`);
+  return `${lines.join("\n")}\n`;
+}
+
 function finish(reason) {
   run.ended = true;
   picture(reason);
@@ -133,6 +141,7 @@ const ANSWERS = {
     run.paused = paused;
     if (!paused) tick();
   },
+  obj: ({ id }) => tell({ kind: "obj", id, text: objOfMesh() }),
   stop() {
     if (run && !run.ended) finish("cancelled");
   },
