@@ -32,6 +32,7 @@ ELSEWHERE = {
     "please report": "a defect, which no input is known to make",
     "was cancelled": "tests/native/test_cancel.cpp",
     "gives no thread for the run": "needs a system without threads: test_out_of_memory.cpp",
+    "has no threads of its own": "a build without threads: cmake/web.cmake",
     "too many edges to be refined": "needs 2^32 half-edges",
     "would have to be refined too far": "the same",
     "would have more than 200 million vertices": "needs as many",

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "api_flows.h"
 #include "flow/progress.h"
 #include "test_seeds.h"
 
@@ -128,6 +129,25 @@ TEST(Progress, IsOneAtTheEndOfARunThatThrows) {
   };
   EXPECT_THROW(flow.run(fail, [&](double progress) { told = progress; }), std::runtime_error);
   EXPECT_EQ(told, 1);
+}
+
+// A host without threads steps, and shows the progress.
+TEST(Progress, OfStepsIsToldToTheirContext) {
+  const FlowHandle flow = make_flow(sphere(2), options_with(0.6));
+  meander_context* made = nullptr;
+  ASSERT_EQ(meander_context_create(&made, nullptr), MEANDER_STATUS_OK);
+  const ContextHandle context(made);
+  double told = 0;
+  while (meander_flow_stop_reason(flow.get()) == MEANDER_STOP_REASON_RUNNING) {
+    ASSERT_EQ(meander_flow_step(flow.get(), made, nullptr), MEANDER_STATUS_OK);
+    EXPECT_GE(meander_context_progress(made), told);
+    EXPECT_NE(meander_context_phase(made), MEANDER_PHASE_NONE);
+    told = meander_context_progress(made);
+  }
+  EXPECT_GT(told, 0.5);
+  EXPECT_LE(told, 1);
+  meander_context_reset(made);
+  EXPECT_EQ(meander_context_progress(made), 0);
 }
 
 }  // namespace
