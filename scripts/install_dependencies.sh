@@ -43,7 +43,7 @@ bpy_packages=(ca-certificates python3-venv
 sanitizer_packages=(clang libclang-rt-dev python3-clang)
 package_packages=(ca-certificates cmake ninja-build python3 python3-markdown python3-venv "${header_packages[@]}")
 # Node runs 18 in Debian 12; a later one that is on the PATH is as good.
-browser_packages=(chromium fonts-dejavu-core)
+browser_packages=(chromium fonts-dejavu-core python3-numpy python3-pytest)
 emulator_packages=(python3-pytest python3-numpy gcc libc6-dev binutils llvm googletest
   wine wine64 qemu-user libc6-arm64-cross)
 

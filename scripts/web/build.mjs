@@ -58,6 +58,10 @@ const parts = {
   "/* worker */": inside(await bundled("page/worker.mjs", "iife")),
   "/* page */": inside(await bundled("page/page.mjs", "iife")),
 };
+// The page is handed on by itself, so it has the notices of those whose code is in it.
+const notices = fs.readFileSync(path.join(web, "../THIRD_PARTY_NOTICES.md"), "utf8");
+if (notices.includes("-->")) throw new Error("the notices would end the comment that they stand in");
+parts["notices"] = `\n${notices}`;
 let page = fs.readFileSync(path.join(web, "page/index.html"), "utf8");
 for (const [mark, text] of Object.entries(parts)) {
   const [before, after] = page.split(mark);
