@@ -206,7 +206,8 @@ test("a seed is drawn on the surface", async () => {
 test("a run is paused, goes on, and is stopped by Esc", async () => {
   await set("example", "knot");
   await until(() => document.body.dataset.mesh === "knot.obj");
-  await set("across", 120);
+  await set("quality", "even");
+  await set("across", 100);
   await page.waitForTimeout(300);
   await running();
   await page.locator("#pause").click();
@@ -222,6 +223,7 @@ test("a run is paused, goes on, and is stopped by Esc", async () => {
   await done();
   assert.match(await text("status"), /^Stopped: /);
   assert.ok((await saved("obj")).length > 0);
+  await set("across", 26);
 });
 
 test("odd files are refused with a sentence, and the page goes on", async () => {

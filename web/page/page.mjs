@@ -164,7 +164,7 @@ const ANSWERS = {
     state.mesh = mesh.name;
     fill();
   },
-  line({ ended, progress, spent, statistics, empty, ...found }) {
+  line({ ended, progress, spent, figures, empty, ...found }) {
     line = found;
     view.setLine(line);
     of("progress").value = ended ? 1 : progress;
@@ -174,7 +174,7 @@ const ANSWERS = {
     state.first ??= String(Math.round(performance.now()));
     if (ended) {
       const share = empty >= 0.001 ? `, ${digits(100 * empty, 2)} % of the surface is empty` : "";
-      says("status", `${ENDS[ended]}: ${count(statistics.nodes)} nodes, ${digits(statistics.length)} long${share}.`);
+      says("status", `${ENDS[ended]}: ${count(figures.nodes)} nodes, ${digits(figures.length)} long${share}.`);
       says("left", "");
       setRunning("done");
       return;

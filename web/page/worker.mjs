@@ -97,8 +97,12 @@ function picture(ended = null) {
   const message = {
     kind: "line", id: run.id, positions, normals, offsets, closed, ended, progress: run.flow.progress, spent: run.spent,
   };
-  if (ended) message.statistics = run.flow.statistics();
-  if (ended) message.empty = run.flow.gaps().emptyShare;
+  if (ended) {
+    const { nodes, length } = run.flow.history().at(-1) ?? { nodes: 0, length: 0 };
+    message.figures = { nodes, length };
+  }
+  // Where a run is stopped, most of the surface is empty, and looking at all of it takes long.
+  if (ended && ended !== "cancelled") message.empty = run.flow.gaps().emptyShare;
   tell(message, [positions.buffer, normals.buffer, offsets.buffer, closed.buffer]);
   run.shown = performance.now();
   run.next = run.shown + Math.max(PICTURE, PATIENCE * (run.shown - began));
