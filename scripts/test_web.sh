@@ -18,7 +18,7 @@ passed=0 failed=0
 node_tests() {
   local log
   log=$(mktemp)
-  node --test "$1" 2>&1 | tee "$log" || true
+  node --test --test-reporter=tap "$1" 2>&1 | tee "$log" || true
   passed=$((passed + $(sed -n 's/^# pass //p' "$log")))
   failed=$((failed + $(sed -n 's/^# fail //p' "$log") + $(sed -n 's/^# cancelled //p' "$log")))
   rm -f "$log"
