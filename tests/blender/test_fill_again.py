@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 import pytest
 from meander.scene.results import last_result
+from meander.ui import variations
 from meander.ui.look import MEANDER_PT_look
 from meander.ui.panels import MEANDER_PT_figures, MEANDER_PT_main
 from panel_layout import texts_of
@@ -106,6 +107,11 @@ def test_a_new_curve_begins_from_the_seed_that_the_active_curve_began_from():
     assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
     second = bpy.context.active_object
     assert second != first and second.name.startswith("Ring Meander")
+    assert second.meander.seed == first.meander.seed
+    assert not np.array_equal(world_splines(second)[0][0], world_splines(first)[0][0])
+    second.meander.variation = 0
+    activate(second)
+    assert bpy.ops.meander.run(restart=True) == {"FINISHED"}
     assert np.array_equal(world_splines(second)[0][0], world_splines(first)[0][0])
 
 
@@ -349,7 +355,60 @@ def test_a_new_curve_is_another_one(start):
         before = points_of(result)
         assert bpy.ops.meander.run(restart=True) == {"FINISHED"}
         assert np.array_equal(points_of(result), before)
-    assert [each.meander.figures.variation for each in (first, second, third)] == [0, 1, 2]
+    for number, each in enumerate((first, second, third)):
+        assert each.meander.figures.variation == each.meander.variation == number
+    assert surface.meander.variation == 2
+
+
+def test_fill_again_makes_the_variation_that_is_chosen():
+    surface = sphere()
+    first = fill(surface, 0.3)
+    before = points_of(first)
+    activate(surface)
+    surface.meander.variation = 5
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert surface.meander.last_result == first and first.meander.figures.variation == 5
+    assert not np.array_equal(points_of(first), before)
+    activate(first)
+    surface.meander.variation = 0
+    assert bpy.ops.meander.run() == {"FINISHED"}, "it goes on"
+    assert first.meander.figures.variation == 5, "with the line of that variation"
+    assert bpy.ops.meander.run(restart=True) == {"FINISHED"}
+    assert np.array_equal(points_of(first), before)
+
+
+@pytest.mark.parametrize("start", ["PRESET", "FULL"])
+@pytest.mark.parametrize("mirror", ["NONE", "X"])
+def test_six_variations_are_shown_to_choose_from(start, mirror):
+    surface = sphere()
+    surface.meander.spacing, surface.meander.start, surface.meander.mirror = 0.3, start, mirror
+    activate(surface)
+    assert bpy.ops.meander.show_variations() == {"FINISHED"}
+    assert surface.meander.last_result is None and surface.meander.variation == 0
+    shown = variations.shown
+    first_six = [picture_of(str(number)) for number in range(6)]
+    line, ground = (0.96, 0.60, 0.22), first_six[0][0, 0]
+    assert ground[3] == 0.0, "the corner of a ball's picture is empty"
+    for number, picture in enumerate(first_six):
+        seen = picture[picture[:, :, 3] == 1.0]
+        drawn = np.abs(seen[:, :3] - line).max(axis=1) < 0.02
+        assert 0.02 < drawn.mean() < 0.6
+        for other in first_six[:number]:
+            assert np.abs(picture - other).max() > 0.3
+    assert bpy.ops.meander.show_variations(following=True) == {"FINISHED"}
+    assert shown.first == 6 and set(shown.pictures) == {str(number) for number in range(6, 12)}
+    assert bpy.ops.meander.use_variation(number=7) == {"FINISHED"}
+    result = surface.meander.last_result
+    assert result.meander.figures.variation == 7 == surface.meander.variation
+    assert bpy.ops.meander.show_variations() == {"FINISHED"}
+    assert shown.first == 6, "those among which the chosen one is"
+
+
+def picture_of(name: str) -> np.ndarray:
+    picture = variations.shown.pictures[name]
+    found = np.empty(len(picture.image_pixels_float), dtype=np.float32)
+    picture.image_pixels_float.foreach_get(found)
+    return found.reshape(*picture.image_size, 4)
 
 
 def test_a_new_curve_has_its_points_on_the_faces_that_the_mesh_numbers():

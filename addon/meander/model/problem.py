@@ -35,26 +35,6 @@ class Problem:
     outline: float = 0.0  # distance of outlines from the boundary; 0: none
     least_bend_radius: float = 0.0  # that no turn is to fall short of; 0: none is asked for
     mirror: Mirror | None = None  # one half is filled, and the other is its mirror image
-    variation: int = 0  # another curve of the same settings, each deterministic; not of a mirror's
-
-    @property
-    def first_face(self) -> int:
-        """Which face the flow takes for the first, from which a curve without a seed begins: of
-        variations one after another, far from those before."""
-        return int(self.variation * _GOLDEN % 1.0 * len(self.faces))
-
-
-_GOLDEN = 0.6180339887498949
-
-
-def _from_first_face(problem: Problem) -> Problem:
-    """The same with the faces in another order."""
-    first, prepared = problem.first_face, problem.surface_options
-    faces = np.roll(problem.faces, -first, axis=0)
-    if prepared is not None and prepared.face_mask is not None:
-        mask = np.roll(np.asarray(prepared.face_mask), -first)
-        prepared = replace(prepared, face_mask=mask)
-    return replace(problem, faces=faces, surface_options=prepared, variation=0)
 
 
 @dataclass(frozen=True)
@@ -111,17 +91,6 @@ def open_flow(
         return replace(
             opened, density=half.density, figures=half.figures, cost=half.cost, half=half
         )
-    if problem.first_face:
-        try:
-            opened = open_flow(_from_first_face(problem), context, accept)
-        except core.MeanderError as error:
-            if error.status != core.Status.INVALID_MESH:
-                raise
-            # What is said of faces is to be in the order that the caller knows.
-            return open_flow(replace(problem, variation=0), context, accept)
-        found = opened.problem
-        found = replace(problem, density=found.density, directions=found.directions)
-        return replace(opened, problem=found)
     options, cost = problem.options, None
     with core.Surface(
         problem.vertices, problem.faces, problem.surface_options, options.threads, context

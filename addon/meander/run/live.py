@@ -35,7 +35,7 @@ _OPTIONS = frozenset(
     name
     for option in OF_THE_FLOW
     for name in (option.setting, option.switch)
-    if name and name != "threads"
+    if name and name not in ("threads", "variation")
 )
 _OTHERS = frozenset({"spacing", "alignment_weight", "factor_0", "factor_1", "use_density_range"})
 # Densities that are read at the vertices of the mesh, so that painting changes them.
@@ -102,7 +102,8 @@ def wish_of(
     fielded = problem.directions is not None
     options.alignment_weight = alignment_of(settings).weight if fielded else 0.0
     options.threads = problem.options.threads
-    options.start = problem.options.start  # that of a run that has begun
+    options.start = problem.options.start  # those of a run that has begun
+    options.variation = problem.options.variation
     choice = chosen_density(settings, surface_of(active))
     density = density_of(choice, surface_of(active), depsgraph, spacing / 2.0)
     if callable(density):

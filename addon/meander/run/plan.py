@@ -70,6 +70,8 @@ class Plan:
     points_as: str = "NONE"  # a second object of all points: one of points.KINDS
     bridges: bool = False  # all that has grown becomes one line
     light: Light | None = None  # which points the result has; None: all
+    begins: bool = True  # from a seed or from nothing; else with the line that a result has
+    beside: bool = False  # another curve was asked for: the run has chosen which
 
 
 def plan_run(context: bpy.types.Context, restart: bool = False, beside: bool = False) -> Plan:
@@ -134,13 +136,12 @@ def _plan_of(
     earlier = results.last_result(surface, scene) if from_surface else active
     if beside:
         earlier = None
+        options.variation = results.next_variation(surface, settings.variation)
     least_bend = float(f"{settings.least_bend_radius:.6g}")
     problem = Problem(
         vertices, faces, options, seed, density, prepared, directions, alignment.kind, outline,
         least_bend,
     )  # fmt: skip
-    if from_surface or restart:  # what goes on begins with its own line
-        problem.variation = results.variation_of(earlier, surface)
     matrix = matrix_of(surface, depsgraph)
     if settings.mirror != "NONE":
         problem.mirror = mirror_of(settings.mirror.lower(), matrix)
@@ -165,6 +166,8 @@ def _plan_of(
         density_group=choice.name if choice.source == "GROUP" else "",
         region=region,
         remark=unused_paint(choice, settings, surface),
+        begins=from_surface or restart,
+        beside=beside,
     )
     return with_looks(plan, settings)
 

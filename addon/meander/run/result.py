@@ -221,8 +221,10 @@ def _store(
         keep_shape(grown_with, settings)  # what held the least bend radius
     figures = settings.figures
     figures.stop_reason = stop_reason
-    if plan.problem.variation:  # what goes on keeps its own
-        figures.variation = plan.problem.variation
+    if plan.begins:  # what goes on keeps its own
+        figures.variation = plan.problem.options.variation
+    if plan.beside:
+        settings.variation = figures.variation
     figures.nodes = int(statistics["nodes"])
     figures.iterations = int(statistics["iterations"])
     figures.length = float(statistics["length"])

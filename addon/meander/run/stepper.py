@@ -254,7 +254,7 @@ class Stepper:
         # One that was stopped by hand has them everywhere, and finding them all takes seconds.
         self.gaps = None if self._stop_reason == "cancelled" else flow.gaps()
         self.guides = flow.guides()
-        self.point_data = self._in_given_order(flow.point_data())
+        self.point_data = flow.point_data()
         snapshot = self._snapshot(
             flow.polylines(),
             statistics["iterations"],
@@ -263,14 +263,6 @@ class Stepper:
             statistics["seconds_total"],
         )
         return snapshot, statistics, self._stop_reason
-
-    def _in_given_order(self, data: core.PointData) -> core.PointData:
-        """With the faces as the problem numbers them, whichever of them the flow took first."""
-        first, count = self.problem.first_face, len(self.problem.faces)
-        if not first or self._half is not None:
-            return data
-        faces = (data.faces.astype(np.int64) + first) % count
-        return data._replace(faces=faces.astype(data.faces.dtype))
 
     def _snapshot(
         self,

@@ -59,18 +59,16 @@ def shown_result(
     return active if is_result(active) else last_result(active, scene)
 
 
-def variation_of(result: bpy.types.Object | None, surface: bpy.types.Object) -> int:
-    """Which of the curves of the same settings a run makes: that of the result that it updates; of
-    a new one the next that its surface does not have."""
-    if result is not None:
-        return result.meander.figures.variation
+def next_variation(surface: bpy.types.Object, chosen: int) -> int:
+    """Of the curves of the same settings the next that a surface does not have; the chosen one
+    where it has none."""
     made = [
         thing.meander.figures.variation
         for scene in surface.users_scene
         for thing in scene.objects
         if is_result_of(thing, surface)
     ]
-    return 1 + max(made, default=-1)
+    return 1 + max(made) if made else chosen
 
 
 def made_spacing(result: bpy.types.Object) -> float:

@@ -27,6 +27,7 @@ from ..run.suspended import SuspendedRun
 from ..scene.blender_versions import ask
 from ..scene.errors import DataError
 from ..scene.fillable import is_result, why_not
+from ..scene.linked_settings import settings_of
 from ..scene.results import last_result
 from ..scene.seeds import mesh_of_seed
 from ..scene.settings import surface_of
@@ -475,7 +476,7 @@ def draw_fill_buttons(
         text = f"Continue at {min(100.0 * kept.progress, 99.0):.0f} %"
         layout.operator(MEANDER_OT_resume.bl_idname, text=text, icon="PLAY")
     if not is_result(active) and last_result(active, context.scene) is None:
-        layout.operator(run, icon="PLAY")
+        _draw_varied(layout, active, in_menu).operator(run, icon="PLAY")
         return
     row = layout if in_menu else layout.row(align=True)
     if kept is None and (is_result(active) or context.mode == "OBJECT"):
@@ -485,4 +486,18 @@ def draw_fill_buttons(
     again = row.operator(run, text="Fill Again", icon="FILE_REFRESH")
     if is_result(active):
         again.restart = True
-    layout.operator(run, text="New Curve", icon="ADD").beside = True
+    new = _draw_varied(layout, active, in_menu)
+    new.operator(run, text="New Curve", icon="ADD").beside = True
+
+
+def _draw_varied(
+    layout: bpy.types.UILayout, active: bpy.types.Object, in_menu: bool
+) -> bpy.types.UILayout:
+    """Room for a button, with the number of the variation and the popup of others after it."""
+    if in_menu:  # which has the popup among the rest
+        return layout
+    split = layout.split(factor=0.66, align=True)
+    button, row = split.row(align=True), split.row(align=True)
+    row.prop(settings_of(active), "variation", text="")
+    row.operator("meander.show_variations", text="", icon="MESH_GRID")
+    return button

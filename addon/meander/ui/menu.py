@@ -14,6 +14,7 @@ from .fill import draw_fill_buttons
 _ENTRIES: tuple[tuple[str, ...], ...] = (
     (
         "stop",
+        "show_variations",
         "choose_settings",
         "propose_spacing",
         "show_as_rendered",

@@ -32,6 +32,7 @@ from . import (
     settings,
     strands,
     terms,
+    variations,
 )
 
 # Panels name their parent, so the main one comes before its sub-panels.
@@ -40,6 +41,7 @@ _MODULES = (
     settings,
     fill,
     live,
+    variations,
     operators,
     gaps,
     made,

@@ -829,7 +829,11 @@ typedef struct meander_flow_options {
                                there. At 1 it is measured on the surface
                                as it is. Only with MEANDER_MEDIAL_AXIS_GEODESIC */
   meander_start start;
-  uint32_t reserved32;
+  uint32_t variation;       /* another number, another curve of the same settings, the same every time: it
+                               begins at another place of every part of the surface, and the lines of a
+                               full start run and are joined otherwise. With MEANDER_PRESET_PAPER a curve
+                               that grows from a seed is the same in all. Decided when a flow begins;
+                               meander_flow_set_options leaves it as it is */
   double tunings[16];       /* of meander_flow_options_set_tuning alone */
   uint64_t reserved[5];
 } meander_flow_options;

@@ -88,6 +88,7 @@ void set_rules(const meander_flow_options& o, FlowSettings& s) {
   s.medial_axis = o.medial_axis == MEANDER_MEDIAL_AXIS_GEODESIC ? MedialAxis::kGeodesic : MedialAxis::kEuclidean;
   s.full_start = o.start == MEANDER_START_FULL;
   s.hairpin_removal_iterations = o.hairpin_removal_iterations;
+  s.variation = o.variation;
   s.iteration_limit = o.iteration_limit;
   s.threads = o.threads;
 }

@@ -47,12 +47,12 @@ double alone_share(const Curve& curve, const NodeData<Radii>& radii, const NodeD
 }
 
 void perturb_empty_stretches(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric,
-                             ThreadPool& pool, NodeData<Radii>& felt_radii) {
+                             double share, ThreadPool& pool, NodeData<Radii>& felt_radii) {
   const size_t n = curve.size();
   const auto empty = [&](size_t i) { return sees_nothing(radii, metric, static_cast<uint32_t>(i)); };
   if (pool.first(n, kNodeGrain, empty) == n) return;
   for (const Strand& strand : curve.strands) {
-    double phase = 0;
+    double phase = 2 * std::numbers::pi * share;
     for (uint32_t i = strand.first; i < strand.end(); ++i) {
       if (empty(i)) {
         const double favour = kPerturbation * elementary::sin(phase);

@@ -24,8 +24,9 @@ double alone_share(const Curve& curve, const NodeData<Radii>& radii, const NodeD
 
 /// Where both sides of a strand are empty its radii are alike and nothing pulls it anywhere; a wide smooth loop then
 /// grows so slowly that it seems to stand still. There one side and the other are favoured in turn in `felt_radii`,
-/// so that fingers begin to grow; as soon as they see anything they are left alone. `radii` are as they are.
+/// so that fingers begin to grow; as soon as they see anything they are left alone. `radii` are as they are. Strands
+/// begin after a `share` in [0, 1) of a turn.
 void perturb_empty_stretches(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric,
-                             ThreadPool& pool, NodeData<Radii>& felt_radii);
+                             double share, ThreadPool& pool, NodeData<Radii>& felt_radii);
 
 }  // namespace meander

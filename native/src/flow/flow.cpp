@@ -18,7 +18,7 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
                       SeedFit& fit) {
   Domain domain(std::move(surface), density, settings, pool);
   Curve curve = first_curve(*domain.given, seed, domain.asked_radius, settings.widen_loops, domain.boundary->tree(),
-                            2 * settings.boundary_distance, pool, &fit);
+                            2 * settings.boundary_distance, pool, &fit, settings.variation);
   return {{std::move(curve), {}, {}}, settings, std::move(domain), {settings.full_start, {}, 0}};
 }
 

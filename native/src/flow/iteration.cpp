@@ -9,6 +9,7 @@
 
 #include "base/failure.h"
 #include "base/stopwatch.h"
+#include "base/variation.h"
 #include "flow/clamped_nodes.h"
 #include "flow/free_nodes.h"
 #include "flow/invariant.h"
@@ -35,7 +36,7 @@ void Iteration::lay_in_empty(size_t trunks) {
   const Domain& domain = given_.domain;
   FullStart laid = full_start(*domain.surface, given_.curve, trunks, domain.radius, domain.directions,
                               domain.patches.get(), given_.settings.boundary_distance, pool_,
-                              domain.asked_radius.varies());
+                              domain.asked_radius.varies(), given_.settings.variation);
   figures_.laid = laid.laid_any();
   report_ = given_.start;
   if (plan_.phase == Phase::kStarting) {
@@ -57,7 +58,8 @@ void Iteration::measure() {
   const AtRest known{plan_.reuse_directions ? &nodes.directions : nullptr, plan_.reuse_balls ? &nodes.balls : &none};
   find_medial_axis(before(), known, plan_.medial, pool_, work_.medial);
   if (before().settings.grow_into_empty) {
-    perturb_empty_stretches(before().curve, work_.medial.radii, before().metric, pool_, work_.medial.felt_radii);
+    perturb_empty_stretches(before().curve, work_.medial.radii, before().metric,
+                            share_of_variation(before().settings.variation), pool_, work_.medial.felt_radii);
   }
   seconds_.medial_axis = watch.lap();
 }

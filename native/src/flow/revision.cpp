@@ -40,6 +40,7 @@ bool grows_otherwise(const FlowSettings& a, const FlowSettings& b) {
 void keep_what_is_past(const FlowSettings& before, bool began_full, FlowSettings& settings) {
   settings.full_start = before.full_start;
   settings.widen_loops = before.widen_loops;
+  settings.variation = before.variation;
   settings.start_spacing_factor = before.start_spacing_factor;
   settings.threads = before.threads;
   if (began_full) settings.hairpin_removal_iterations = before.hairpin_removal_iterations;

@@ -40,6 +40,7 @@ struct FlowSettings {
   MedialAxis medial_axis = MedialAxis::kEuclidean;
   double roughness = 1;  ///< how much of the surface's roughness the spacing follows; see Domain::surface
   bool full_start = false;  ///< begin with a curve that fills the surface already
+  uint32_t variation = 0;   ///< which of the curves of the same settings
   uint32_t iteration_limit = 1;
   uint32_t threads = 0;
 

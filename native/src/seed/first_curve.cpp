@@ -44,8 +44,8 @@ class Loops {
     }
   }
 
-  /// The loop that a region is to have, where one fits.
-  void add(const Region& region, bool widen) {
+  /// The loop that a region is to have, where one fits. In `any_place` it is a circle, however large the face is.
+  void add(const Region& region, bool widen, bool any_place) {
     const double r = radius_.at(surface_, region.middle);
     double wide = wide_at(region.middle);
     const double narrowest = kNarrowestLoop * r;
@@ -61,9 +61,9 @@ class Loops {
     for (uint32_t k = 0; k < 3; ++k) perimeter += norm(surface_.corner(f, next_corner(k)) - surface_.corner(f, k));
     const double incircle = 2 * surface_.face_area(f) / perimeter;
     const auto is_small = [&] { return widen && perimeter < 2 * std::numbers::pi * wide; };
-    if (is_small() && add_wide_circle(region.middle)) return;
+    if ((is_small() || any_place) && add_wide_circle(region.middle)) return;
     const bool sliver = incircle < kTightFace * r && incircle < kSliverFace * perimeter;
-    for (; is_small() || (sliver && wide > narrowest); wide /= 2) {
+    for (; is_small() || ((sliver || any_place) && wide > narrowest); wide /= 2) {
       if (add_circle(region.middle, wide)) return;
     }
     add_outline(f);
@@ -204,13 +204,14 @@ class Loops {
 }  // namespace
 
 Curve first_curve(const Surface& surface, const SeedStrands* seed, const RadiusField& radius, bool widen,
-                  const PointTree& boundary, double strip_width, ThreadPool& pool, SeedFit* fit) {
+                  const PointTree& boundary, double strip_width, ThreadPool& pool, SeedFit* fit,
+                  uint32_t variation) {
   Curve curve;
   if (seed) curve = lay_seed(surface, *seed, radius, pool, fit);
   if (!seed || seed->loops) {
     Loops loops(surface, radius, curve, pool);
-    for (const Region& region : find_regions(surface, curve, radius, &boundary, strip_width)) {
-      if (!region.growing) loops.add(region, widen);
+    for (const Region& region : find_regions(surface, curve, radius, &boundary, strip_width, variation)) {
+      if (!region.growing) loops.add(region, widen, variation != 0);
     }
     curve.link();
   }

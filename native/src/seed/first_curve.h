@@ -20,10 +20,12 @@ namespace meander {
 /// meets no boundary: bending and a clamped medial radius would make a loop much smaller than r collapse
 /// instead of grow. Beside guides it is a circle about as far from them as it is wide.
 ///
-/// `boundary`, `strip_width`: see find_regions.
+/// `boundary`, `strip_width`: see find_regions. A `variation` other than 0 has circles in other places, however large
+/// their faces are.
 ///
 /// Throws Failure(FailureKind::kInvalidSeed); `radius` is r, `fit` as lay_seed has it.
 Curve first_curve(const Surface& surface, const SeedStrands* seed, const RadiusField& radius, bool widen,
-                  const PointTree& boundary, double strip_width, ThreadPool& pool, SeedFit* fit = nullptr);
+                  const PointTree& boundary, double strip_width, ThreadPool& pool, SeedFit* fit = nullptr,
+                  uint32_t variation = 0);
 
 }  // namespace meander

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <utility>
 
+#include "base/elementary.h"
+#include "base/variation.h"
 #include "mesh/line_relaxation.h"
 #include "mesh/strips.h"
 #include "seed/guide_samples.h"
@@ -57,12 +60,15 @@ std::vector<uint8_t> without_field(const Surface& surface, const LineField& fiel
 }
 
 /// The field and, on components without any, the smoothest one or, where they are narrow strips, one along these: the
-/// smoothest one of a flat ring is parallel, and its lines are short there.
-LineField completed(const Surface& surface, const LineField& field, const RadiusField& radius,
+/// smoothest one of a flat ring is parallel, and its lines are short there. Turned by any angle, which is that of the
+/// variation, it is as smooth.
+LineField completed(const Surface& surface, const LineField& field, const RadiusField& radius, uint32_t variation,
                     const CancelToken& ask) {
   const std::vector<uint8_t> without = without_field(surface, field);
   if (std::ranges::count(without, 1) == 0) return field;
   LineField smooth = relaxed_field(surface, ask);
+  const double angle = 2 * std::numbers::pi * share_of_variation(variation);
+  if (variation != 0) smooth.turn({elementary::cos(angle), elementary::sin(angle)});
   const std::vector<double> widths = strip_widths(surface);
   const auto is_narrow = [&](uint32_t f) { return widths[surface.component(f)] < kNarrow * radius.most(); };
   if (*std::ranges::min_element(widths) < kNarrow * radius.most()) {
@@ -186,7 +192,7 @@ std::vector<LineTree> trees_to_walk(const Curve& first, size_t drawn, const std:
 
 FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
                      const LineField& field, const SurfacePatches* patches, double boundary_distance,
-                     ThreadPool& pool, bool density) {
+                     ThreadPool& pool, bool density, uint32_t variation) {
   std::unique_ptr<const SurfacePatches> own;
   if (!patches) {
     own = std::make_unique<const SurfacePatches>(surface, radius, kClamp, pool);
@@ -205,7 +211,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   }
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
   const CancelToken poll = pool.poll(kPieces);
-  const LineField whole = completed(surface, field, radius, poll);
+  const LineField whole = completed(surface, field, radius, variation, poll);
   std::vector<std::vector<SurfacePoint>> first_lines;
   if (density) {
     const double apart = spacing.apart / spacing.full;  // they are as long together
@@ -214,7 +220,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
     spacing.least = kLeastAlong;
   }
   const size_t before = lines.size();
-  draw_streamlines(whole, radius, spacing, first_lines, network, poll, lines);
+  draw_streamlines(whole, radius, spacing, first_lines, variation, network, poll, lines);
   trunks.prolong(whole, before, network, lines, poll);
 
   FullStart start;
@@ -225,7 +231,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   Regions regions(surface, first, radius);
   std::vector<uint8_t> stays(first.strands.size(), 0);
   for (;;) {
-    const std::vector<uint32_t> tree = join_lines(lines, trunks.holds, network, poll);
+    const std::vector<uint32_t> tree = join_lines(lines, trunks.holds, variation, network, poll);
     const std::vector<LineTree> trees = trees_to_walk(first, drawn, stays, trunks, lines, tree, network, regions);
     for (const LineTree& laid : trees) start.strands[laid.strand] = StrandStart::kLaid;
     TreeTour tour = walk_round(network, trees, kOffset, first, pool);

@@ -46,10 +46,12 @@ struct FullStart {
 /// `patches`            of this surface, about as large as r; null: they are found
 /// `boundary_distance`  of the last strand from the boundary, in local spacings
 /// `density`            r varies because that was asked for: lines begin and end one by one
+/// `variation`          which of the curves of the same settings: a smooth field is turned, lines begin elsewhere, and
+///                      they are joined otherwise
 ///
 /// Throws Failure(FailureKind::kCancelled) where the watch of the pool says so.
 FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
                      const LineField& field, const SurfacePatches* patches, double boundary_distance,
-                     ThreadPool& pool, bool density = false);
+                     ThreadPool& pool, bool density = false, uint32_t variation = 0);
 
 }  // namespace meander

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/disjoint_sets.h"
+#include "base/variation.h"
 #include "geodesic/chart.h"
 
 namespace meander {
@@ -42,6 +43,10 @@ constexpr double kTipWorth = 1.5;
 /// most, counts as length.
 constexpr double kFromTip = 0.15, kFarFromTip = 20;
 
+/// Variations of a curve join lines otherwise: what a link costs is less by up to this, in r. Tips of rows are
+/// joined on either side then, and few links are longer.
+constexpr double kVaried = 2;
+
 /// Two links on one side of a line keep this distance, in r.
 constexpr double kApart = 2;
 
@@ -58,9 +63,10 @@ struct Candidate {
 
 class Joiner {
  public:
-  Joiner(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds, LineNetwork& network,
-         CancelToken poll)
-      : lines_(lines), network_(network), s_(network.surface()), poll_(poll), trees_(lines.size()),
+  Joiner(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds, uint32_t variation,
+         LineNetwork& network, CancelToken poll)
+      : lines_(lines), variation_(variation), network_(network), s_(network.surface()), poll_(poll),
+        trees_(lines.size()),
         shortener_(network.surface()), index_(network.nodes().size(), kNone), tangent_(network.nodes().size()),
         trunk_(lines.size(), 0), held_(network.nodes().size(), 0), used_(lines.size()) {
     for (const Streamline& line : lines) {
@@ -153,9 +159,16 @@ class Joiner {
     return std::min(arc(nodes.back()) - arc(node), arc(node) - arc(nodes.front()));
   }
 
+  /// By how much less a link costs in this variation: alike for all from one half of a line to another line.
+  double varied(uint32_t a, uint32_t b) const {
+    if (variation_ == 0) return 0;
+    const uint32_t half = 2 * index_[a] >= lines_[line_of(a)].nodes.size();
+    return kVaried * number_of_variation(variation_, 2 * line_of(a) + half, line_of(b));
+  }
+
   double cost(uint32_t a, uint32_t b, double length, Exit at_a, Exit at_b) const {
     const double tips = (at_a == Exit::kTip) + (at_b == Exit::kTip);
-    return length - kTipWorth * tips + kFromTip * std::min({from_tip(a), from_tip(b), kFarFromTip});
+    return length - kTipWorth * tips + kFromTip * std::min({from_tip(a), from_tip(b), kFarFromTip}) - varied(a, b);
   }
 
   /// Joins what is near through space and along the surface.
@@ -296,6 +309,7 @@ class Joiner {
   }
 
   const std::vector<Streamline>& lines_;
+  uint32_t variation_;
   LineNetwork& network_;
   const Surface& s_;
   CancelToken poll_;
@@ -313,8 +327,8 @@ class Joiner {
 }  // namespace
 
 std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds,
-                                 LineNetwork& network, CancelToken poll) {
-  return Joiner(lines, holds, network, poll).join();
+                                 uint32_t variation, LineNetwork& network, CancelToken poll) {
+  return Joiner(lines, holds, variation, network, poll).join();
 }
 
 void cut_at(uint32_t edge, std::vector<Streamline>& lines, LineNetwork& network) {

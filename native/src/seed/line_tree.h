@@ -22,13 +22,14 @@ namespace meander {
 /// r, and only one from a place. What cannot be joined to the trunk of its component stays a tree of its own.
 ///
 /// `holds`  per node of the network, or shorter: 1 where a node of a trunk must stay
+/// `variation`  which of many trees of the same lines
 ///
 /// Returns for every line the number of its tree, that of one of its lines. Source of the search: Kruskal's minimum
 /// spanning tree.
 ///
 /// Links that there are already stay, and where one was taken out none comes again.
 std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds,
-                                 LineNetwork& network, CancelToken poll);
+                                 uint32_t variation, LineNetwork& network, CancelToken poll);
 
 /// Takes an edge out of the network: a link, or one of a line, which is two lines from then on.
 void cut_at(uint32_t edge, std::vector<Streamline>& lines, LineNetwork& network);

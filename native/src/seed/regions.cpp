@@ -7,6 +7,7 @@
 #include <span>
 #include <unordered_map>
 
+#include "base/variation.h"
 #include "seed/guide_samples.h"
 
 namespace meander {
@@ -14,7 +15,11 @@ namespace {
 
 constexpr double kFarEnough = 2.5;      // in r: the first place this far from all guides is taken
 constexpr double kWorthALoop = 0.8;     // in r: narrower places are covered by the guides around
+constexpr double kInsideFace = 0.1;     // of the weights of corners: any place in a face is clear of its edges
 constexpr double kInsideStrip = 0.15;  // of r: clear of an outline that runs at the strip's edge
+
+/// So many places are tried where one lies in a strip to be left empty, by variations that nobody asks for.
+constexpr uint32_t kOtherPlacesOfStrip = 16, kOthersApart = 1u << 27;
 
 SurfacePoint middle_of(uint32_t face) { return make_point(face, 1.0 / 3, 1.0 / 3, 1.0 / 3); }
 
@@ -49,12 +54,17 @@ class BoundaryStrip {
     return boundary_->nearest(position(surface_, p), near * near).has_value();
   }
 
-  /// A place for a first strand on a component without guides: the middle of its face `first`, or of the one that
-  /// is farthest from the boundary where that lies in a strip to be left empty. A loop may well begin r from it.
-  SurfacePoint place_beyond(uint32_t first) {
+  /// A place for a first strand on a component without guides: the middle of its face `first`, or anywhere in a
+  /// variation, or the middle of the face that is farthest from the boundary where that lies in a strip to be left
+  /// empty. A loop may well begin r from it.
+  SurfacePoint place_beyond(uint32_t first, uint32_t variation) {
+    if (!faces_ && (variation != 0 || width_ > 1)) faces_.emplace(surface_);
     SurfacePoint best = middle_of(first);
-    if (!(width_ > 1) || !contains(best)) return best;
-    if (!faces_) faces_.emplace(surface_);
+    if (variation == 0 && (!(width_ > 1) || !contains(best))) return best;
+    for (uint32_t k = 0; variation != 0 && k < kOtherPlacesOfStrip; ++k) {
+      const SurfacePoint any = any_place(surface_.component(first), variation + k * kOthersApart);
+      if (!(width_ > 1) || !contains(any)) return any;
+    }
     double most = 0;
     for (const uint32_t f : faces_->of(surface_.component(first))) {
       const auto nearest = boundary_->nearest(position(surface_, middle_of(f)));
@@ -66,6 +76,20 @@ class BoundaryStrip {
   }
 
  private:
+  /// A place of a component, as likely as there is area: of variations one after another each is far from the others
+  /// where faces that come one after another are near.
+  SurfacePoint any_place(uint32_t component, uint32_t variation) const {
+    const std::span<const uint32_t> faces = faces_->of(component);
+    double area = 0;
+    for (const uint32_t f : faces) area += surface_.face_area(f);
+    area *= share_of_variation(variation);
+    size_t k = 0;
+    for (; k + 1 < faces.size() && area >= surface_.face_area(faces[k]); ++k) area -= surface_.face_area(faces[k]);
+    double a = number_of_variation(variation, 0), b = number_of_variation(variation, 1);
+    if (a + b > 1) a = 1 - a, b = 1 - b;
+    return make_point(faces[k], kInsideFace + a, kInsideFace + b, kInsideFace + (1 - a - b));
+  }
+
   const Surface& surface_;
   const RadiusField& radius_;
   const PointTree* boundary_;
@@ -89,8 +113,9 @@ struct Occupied {
 class GuidedRegions {
  public:
   GuidedRegions(const Surface& surface, const Curve& curve, const RadiusField& radius,
-                const std::vector<uint8_t>& guided)
-      : samples_(surface, curve, radius, guided), of_component_(surface.component_count()), grows_(samples_.size(), 0) {
+                const std::vector<uint8_t>& guided, uint32_t variation)
+      : share_(share_of_variation(variation)), samples_(surface, curve, radius, guided),
+        of_component_(surface.component_count()), grows_(samples_.size(), 0) {
     for (uint32_t i = 0; i < samples_.size(); ++i) {
       const uint32_t region = samples_.region(i);
       std::vector<uint32_t>& members = members_[region];
@@ -123,7 +148,10 @@ class GuidedRegions {
   std::optional<Region> with_place(uint32_t name, const BoundaryStrip& strip) const {
     Region region{{}, 0, true, grows_[name] != 0};
     double most = 0;  // room in units of r
-    for (const uint32_t i : members_.at(name)) {
+    const std::vector<uint32_t>& members = members_.at(name);
+    const auto first = static_cast<size_t>(share_ * static_cast<double>(members.size()));
+    for (size_t k = 0; k < members.size(); ++k) {
+      const uint32_t i = members[(first + k) % members.size()];
       if (samples_.relative_room(i) <= most || strip.contains(samples_.point(i))) continue;
       most = samples_.relative_room(i);
       region.middle = samples_.point(i);
@@ -133,6 +161,7 @@ class GuidedRegions {
     return most >= kWorthALoop ? std::optional(region) : std::nullopt;
   }
 
+  double share_;  // of the samples of a region, which come last
   GuideSamples samples_;
   std::unordered_map<uint32_t, std::vector<uint32_t>> members_;  // samples of a region, in order
   std::vector<std::vector<uint32_t>> of_component_;              // regions, in the order of their first samples
@@ -142,10 +171,10 @@ class GuidedRegions {
 }  // namespace
 
 std::vector<Region> find_regions(const Surface& surface, const Curve& curve, const RadiusField& radius,
-                                 const PointTree* boundary, double strip_width) {
+                                 const PointTree* boundary, double strip_width, uint32_t variation) {
   BoundaryStrip strip(surface, radius, boundary, strip_width);
   const Occupied occupied(surface, curve);
-  const GuidedRegions guided(surface, curve, radius, occupied.by_guides);
+  const GuidedRegions guided(surface, curve, radius, occupied.by_guides, variation);
   std::vector<Region> regions;
   std::vector<uint8_t> seen(surface.component_count(), 0);
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
@@ -156,7 +185,7 @@ std::vector<Region> find_regions(const Surface& surface, const Curve& curve, con
       guided.append(c, strip, regions);
     } else {
       const double infinity = std::numeric_limits<double>::infinity();
-      regions.push_back({strip.place_beyond(f), infinity, false, occupied.by_growing[c] != 0});
+      regions.push_back({strip.place_beyond(f, variation), infinity, false, occupied.by_growing[c] != 0});
     }
   }
   return regions;

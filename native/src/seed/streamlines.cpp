@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "base/variation.h"
 #include "geodesic/chart.h"
 
 namespace meander {
@@ -64,9 +65,9 @@ constexpr uint32_t kMostRows = 256;
 
 class Drawer {
  public:
-  Drawer(const LineField& field, const RadiusField& radius, const LineSpacing& spacing, LineNetwork& network,
-         CancelToken poll, std::vector<Streamline>& lines)
-      : field_(field), radius_(radius), spacing_(spacing), network_(network), s_(network.surface()), poll_(poll),
+  Drawer(const LineField& field, const RadiusField& radius, const LineSpacing& spacing, uint32_t variation,
+         LineNetwork& network, CancelToken poll, std::vector<Streamline>& lines)
+      : field_(field), radius_(radius), spacing_(spacing), variation_(variation), network_(network), s_(network.surface()), poll_(poll),
         shortener_(s_), lines_(lines), trunks_(lines.size()), drawn_(s_.component_count(), 0),
         wanted_(s_.component_count(), 0),
         has_line_(s_.component_count(), 0), crowded_(network.patch_count()) {
@@ -101,7 +102,8 @@ class Drawer {
     const auto faces = static_cast<uint32_t>(s_.face_count());
     uint32_t stride = static_cast<uint32_t>(0.6180339887 * faces) | 1u;
     while (std::gcd(stride, faces) != 1) stride += 2;
-    for (uint32_t k = 0, f = 0; k < faces; ++k, f = static_cast<uint32_t>((uint64_t{f} + stride) % faces)) {
+    const auto first = static_cast<uint32_t>(share_of_variation(variation_) * faces);
+    for (uint32_t k = 0, f = first; k < faces; ++k, f = static_cast<uint32_t>((uint64_t{f} + stride) % faces)) {
       for_places(f, [&](const SurfacePoint& p) {
         poll_();
         if (is_full(p)) return;
@@ -351,6 +353,7 @@ class Drawer {
   const LineField& field_;
   const RadiusField& radius_;
   const LineSpacing& spacing_;
+  uint32_t variation_;
   LineNetwork& network_;
   const Surface& s_;
   CancelToken poll_;
@@ -372,9 +375,9 @@ class Drawer {
 }  // namespace
 
 void draw_streamlines(const LineField& field, const RadiusField& radius, const LineSpacing& spacing,
-                      std::span<const std::vector<SurfacePoint>> laid, LineNetwork& network, CancelToken poll,
-                      std::vector<Streamline>& lines) {
-  if (!field.empty()) Drawer(field, radius, spacing, network, poll, lines).draw(laid);
+                      std::span<const std::vector<SurfacePoint>> laid, uint32_t variation, LineNetwork& network,
+                      CancelToken poll, std::vector<Streamline>& lines) {
+  if (!field.empty()) Drawer(field, radius, spacing, variation, network, poll, lines).draw(laid);
 }
 
 }  // namespace meander

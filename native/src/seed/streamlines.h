@@ -44,9 +44,10 @@ struct LineSpacing {
 ///
 /// `radius`  r, which may vary
 /// `laid`    lines that are there first, each as points `step` apart: as far as they keep these distances
+/// `variation`  where the first lines begin that begin anywhere
 /// `poll`    is called for every node
 void draw_streamlines(const LineField& field, const RadiusField& radius, const LineSpacing& spacing,
-                      std::span<const std::vector<SurfacePoint>> laid, LineNetwork& network, CancelToken poll,
-                      std::vector<Streamline>& lines);
+                      std::span<const std::vector<SurfacePoint>> laid, uint32_t variation, LineNetwork& network,
+                      CancelToken poll, std::vector<Streamline>& lines);
 
 }  // namespace meander

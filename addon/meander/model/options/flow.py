@@ -158,6 +158,29 @@ ROWS: tuple[Option, ...] = (
         ),
     ),
     Option(
+        "variation",
+        "Variation",
+        "Which of many curves of the same settings it is: each begins elsewhere, and is the same "
+        "every time. Fill Again makes it",
+        _MAIN,
+        low="0: the curve that other numbers are variations of",
+        high="one more of as many curves as you like, as even as any other",
+        kind=int,
+        default=0,
+        least=0,
+        greatest=2**31 - 1,
+        field="variation",
+        flag=Flag(
+            "--variation",
+            "which of many curves of the same options: each begins elsewhere on the surface, and "
+            "is the same every time; default: 0",
+            metavar="N",
+            least=0,
+            greatest=2**31 - 1,
+            default=0,
+        ),
+    ),
+    Option(
         "iteration_limit",
         "Iteration Limit",
         "Stop after at most this many rounds; 0 leaves it to the quality",
