@@ -390,6 +390,15 @@ std::vector<Call> result_calls() {
                      std::copy_n(curve->guides, curve->strand_count, world.flags.data());
                      return status;
                    }});
+  calls.push_back({"round", seeded_flow(2), [](World& world, meander_error* error) {
+                     Result<meander_polylines> line;
+                     Result<meander_point_data> data;
+                     const meander_status status =
+                         CALLED(flow_round_curve)(world.flow, 0.1, &line, &data, nullptr, error);
+                     std::copy_n(line->positions, 3 * line->point_count, world.numbers.data());
+                     std::copy_n(data->normals, 3 * data->count, world.more.data());
+                     return status;
+                   }});
   calls.push_back({"nodes", seeded_flow(2), [](World& world, meander_error* error) {
                      Result<meander_nodes> nodes;
                      const meander_status status = CALLED(flow_get_nodes)(world.flow, &nodes, error);

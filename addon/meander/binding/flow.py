@@ -505,14 +505,34 @@ class Flow(Handle):
                 PointParts.ALL,
                 context=(cancelling,),
             ).count
-        return PointData(
-            found.array("arc_lengths", count),
-            found.array("normals", count, 3),
-            found.array("tangents", count, 3),
-            found.array("radii", count, 2),
-            found.array("faces", count),
-            found.array("barycentrics", count, 3),
-        )
+        return _point_data_of(found, count)
+
+    def rounded(
+        self, tolerance: float, context: Context | None = None
+    ) -> tuple[Polylines, PointData]:
+        """The curve as it is drawn, with round turns, and what is known of its points.
+
+        tolerance   how far any place may be from the curve along the surface, as a share of the
+                    local spacing, from 0 to 0.5
+        context     where it is cancelled, a MeanderError of the status CANCELLED is raised
+
+        The strands are those of `polylines()`, in their order, with other points. The curve stays
+        as it is; see meander_flow_round_curve. Raises MeanderError for a tolerance out of range.
+        """
+        found, data = Found(PolylinesRecord), Found(PointDataRecord)
+        with self._use() as pointer, pointer_of(context) as cancelling:
+            try:
+                count = data.fill(
+                    native().meander_flow_round_curve,
+                    pointer,
+                    float(tolerance),
+                    byref(found.record),
+                    context=(cancelling,),
+                ).count
+            finally:
+                found.own()
+        of_points = _point_data_of(data, count)
+        return _polylines_of(found, of_points.normals), of_points
 
     def gaps(self, least_size: float = 0.0, context: Context | None = None) -> Gaps:
         """The places that the present curve leaves empty; see meander_flow_find_gaps.
@@ -553,6 +573,18 @@ def _with_spacing(options: FlowOptions, surface: Surface) -> FlowOptions:
         "The spacing is %g, which is automatic: no radius was chosen.", spacing
     )
     return replace(options, radius=spacing / 2.0)
+
+
+def _point_data_of(found: Found, count: int) -> PointData:
+    """Data of all parts as the library has handed them out."""
+    return PointData(
+        found.array("arc_lengths", count),
+        found.array("normals", count, 3),
+        found.array("tangents", count, 3),
+        found.array("radii", count, 2),
+        found.array("faces", count),
+        found.array("barycentrics", count, 3),
+    )
 
 
 def _polylines_of(found: Found, normals: NDArray[np.float64]) -> Polylines:

@@ -312,9 +312,13 @@ class Found:
         try:
             call(function, *arguments, byref(self.record), *context)
         finally:  # also where an interruption came when all was done
-            end = weakref.finalize(self, native().meander_result_destroy, self.record.result)
-            end.atexit = False  # as of a Handle
+            self.own()
         return self.record
+
+    def own(self) -> None:
+        """Has the library's memory freed with the last of the arrays, once a call has filled it."""
+        end = weakref.finalize(self, native().meander_result_destroy, self.record.result)
+        end.atexit = False  # as of a Handle
 
     def array(self, name: str, *shape: int) -> NDArray[Any]:
         kind = self.record._arrays_[name]

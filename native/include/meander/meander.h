@@ -22,6 +22,7 @@
  *     meander_flow_step / run          the flow; cancelled from any thread through a meander_context
  *     meander_flow_start / wait        the same run on a thread of the library, with previews
  *     meander_flow_get_polylines       curve out, at any time between steps
+ *     meander_flow_round_curve         the same line with round turns, to be drawn
  *     meander_flow_find_gaps           where it leaves the surface empty
  *     meander_flow_cut_surface         the mesh with the curve among its edges
  *
@@ -1410,6 +1411,27 @@ MEANDER_API meander_status meander_flow_compute_point_data(meander_flow* flow, m
                                                            meander_point_data* point_data,
                                                            meander_context* context,
                                                            meander_error* error);
+
+/* Computes the curve as it is drawn: with round turns, where the curve itself may turn within a small share of
+ * the spacing and a tube along it would pinch. The curve and all that follows from it stay as they are.
+ *
+ * The line lies on the surface, has the strands of the curve, and crosses and touches itself nowhere, by the
+ * exact predicates that the flow has. Guides, fixed nodes and the ends of open strands stay where they are, and
+ * so do strands where they run straight. Strands get no nearer to each other than .85 of the spacing, or than they
+ * were where that is less. Its points are the nodes, which lie closer to each other in turns, and what the line
+ * bends by at edges of the mesh; between two points it may lie .012 of a spacing off the surface's faces.
+ *
+ * tolerance    how far any place of the line may be from the curve along the surface, as a share of the local
+ *              spacing, from 0 to .5; 0: as far as the curve is from itself, so that only points are left out
+ * polylines    prepared by meander_polylines_init; receives the line
+ * point_data   prepared by meander_point_data_init; receives the data of its points, all of them; or NULL.
+ *              The radii are those of the curve beside
+ * context      or NULL; asked before the work begins and all the while. Costs a medial axis and about fourteen
+ *              moves of the curve. The flow belongs to the calling thread. */
+MEANDER_API meander_status meander_flow_round_curve(meander_flow* flow, double tolerance,
+                                                    meander_polylines* polylines,
+                                                    meander_point_data* point_data,
+                                                    meander_context* context, meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: gaps                                                                                   */

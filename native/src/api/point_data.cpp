@@ -34,7 +34,7 @@ DataArrays data_of(const Flow& flow, const MeshMap* map, meander_point_parts par
   arrays.radii = room(made.radii, MEANDER_POINT_PARTS_RADII, 2);
   arrays.faces = room(made.faces, MEANDER_POINT_PARTS_PLACES, 1);
   arrays.barycentrics = room(made.weights, MEANDER_POINT_PARTS_PLACES, 3);
-  write_point_data(flow, map, arrays);
+  write_point_data(flow, flow.curve(), nullptr, map, arrays);
   return made;
 }
 

@@ -61,9 +61,10 @@ void put(const Vec3& v, double* to) { std::copy(v.data(), v.data() + 3, to); }
 
 }  // namespace
 
-void write_point_data(const Flow& flow, const MeshMap* map, const PointArrays& arrays) {
+void write_point_data(const Flow& flow, const Curve& curve, const NodeData<uint32_t>* node_of, const MeshMap* map,
+                      const PointArrays& arrays) {
   const Surface& surface = flow.surface();
-  const Curve& curve = flow.curve();
+  const auto radii_of = [&](uint32_t i) { return flow.radii_of(node_of ? (*node_of)[i] : i); };
   if (arrays.normals) flow.normals().prepare();
   StrandPoints points;
   points.reserve_for(curve);
@@ -102,7 +103,7 @@ void write_point_data(const Flow& flow, const MeshMap* map, const PointArrays& a
       const uint32_t j = curve.next(i) != kNone ? curve.next(i) : i;
       const size_t begin = points.nodes[k], end = k + 1 < strand.count ? points.nodes[k + 1] : n;
       const double length = along[end] - along[begin];
-      const Radii here = flow.radii_of(i), there = flow.radii_of(j);
+      const Radii here = radii_of(i), there = radii_of(j);
       for (size_t p = begin; p < end; ++p) {
         const double share = length > 0 ? (along[p] - along[begin]) / length : 0;
         for (size_t side = 0; side < 2; ++side) {

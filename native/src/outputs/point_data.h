@@ -21,8 +21,11 @@ struct PointArrays {
   double* barycentrics = nullptr;  ///< weights of the face's vertices in the caller's order
 };
 
-/// Fills the arrays for the present curve. radii: those of flow.radii(), which must be up to date, at
+/// Fills the arrays for a curve on the surface of a flow. radii: those of flow.radii(), which must be up to date, at
 /// the nodes, and between them in proportion to the arc length. `map` tells the caller's faces, or is null.
-void write_point_data(const Flow& flow, const MeshMap* map, const PointArrays& arrays);
+///
+/// `node_of`  per node of the curve the node of the flow's curve whose radii it has; null: it is that curve
+void write_point_data(const Flow& flow, const Curve& curve, const NodeData<uint32_t>* node_of, const MeshMap* map,
+                      const PointArrays& arrays);
 
 }  // namespace meander
