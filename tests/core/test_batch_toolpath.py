@@ -52,12 +52,30 @@ def test_step_and_tolerance_give_the_same_curve(square: Path) -> None:
     assert {row["strand"] for row in rows} == {str(at) for at in range(len(whole))}
 
 
+def test_a_round_line_is_written_in_place_of_the_curve(square: Path) -> None:
+    report = square.parent / "report.json"
+    assert _run(square, "all.json") == 0
+    assert _run(square, "round.json", "--round", "0.12", "--report", str(report)) == 0
+    (curve,) = json.loads((square.parent / "all.json").read_text())["strands"]
+    (line,) = json.loads((square.parent / "round.json").read_text())["strands"]
+    assert line["closed"] == curve["closed"]
+    begin = np.array(curve["points"])
+    away = geometry.distance_to_pieces(np.array(line["points"]), begin, np.roll(begin, -1, axis=0))
+    assert 0.01 * 0.25 < away.max() < 0.13 * 0.25
+    figures = json.loads(report.read_text())
+    assert figures["length"] == pytest.approx(line["length"])
+    assert figures["options"]["round"] == 0.12
+    assert line["length"] < curve["length"]
+
+
 def test_bad_combinations_are_refused(square: Path, capsys: pytest.CaptureFixture) -> None:
     for name, extra, words in (
         ("out.obj", ("--resample-step", "0.1"), ".csv, .json or .svg"),
         ("out.csv", ("--resample-step", "0.1", "--chord-tolerance", "1"), "choose one"),
         ("out.csv", ("--resample-step", "0"), "greater than 0"),
         ("out.csv", ("--resample-step", "1e-12"), "longer one"),
+        ("out.blend", ("--round", "0.1"), "set Round in the look"),
+        ("out.csv", ("--round", "0.6"), "choose from 0 to 0.5"),
         ("out.csv", ("--points", "mesh"), ".csv and .json have the same"),
         ("out.txt", (), ".dst or .pes"),
     ):

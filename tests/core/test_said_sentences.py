@@ -121,6 +121,7 @@ TRIES = """
 --poses
 --output out.csv --standoff 1
 --output out.svg --lines pairs
+--output out.blend --round 0.1
 --points mesh
 --spacing nan
 --mask-threshold 5 --mask-group a

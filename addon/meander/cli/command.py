@@ -90,9 +90,10 @@ def _filled(
             arguments.bending = stiffness
         with mirror.whole(opened, options) as (flow, figures, of_mirror):
             figures |= {"stop_reason": reason}
-            grown = grown_of(flow, opened, without_guides=arguments.leave_out_guides)
+            grown = grown_of(flow, opened, arguments.leave_out_guides, arguments.round or 0.0)
             line = written(grown, arguments, opened.problem)
-            if line is not grown or arguments.leave_out_guides:  # not all that has grown
+            # Not all that has grown, or another line.
+            if line is not grown or arguments.leave_out_guides or arguments.round:
                 figures["length"] = length_of(line)
             if search is not None:
                 length = figures["length"]

@@ -39,9 +39,13 @@ class Grown:
     images: dict[Path, bytes] = field(default_factory=dict)
 
 
-def grown_of(flow: core.Flow, opened: Opened, without_guides: bool) -> Grown:
-    """The curve of a run that has ended. Raises core.MeanderError."""
-    curve, data, guides = flow.polylines(), flow.point_data(), flow.guides()
+def grown_of(
+    flow: core.Flow, opened: Opened, without_guides: bool, rounding: float = 0.0
+) -> Grown:
+    """The curve of a run that has ended, or the line with round turns, at most so many spacings
+    beside it. Raises core.MeanderError."""
+    curve, data = flow.rounded(rounding) if rounding else (flow.polylines(), flow.point_data())
+    guides = flow.guides()
     if without_guides:
         kept = strands.points_without_guides(curve, guides)
         data = core.PointData(*(values[kept] for values in data))

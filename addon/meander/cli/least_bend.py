@@ -57,7 +57,7 @@ def run_until_held(
 
 def _sharpest(flow: core.Flow, arguments: argparse.Namespace) -> Bend | None:
     """The sharpest bend of what is written."""
-    curve = flow.polylines()
+    curve = flow.rounded(arguments.round)[0] if arguments.round else flow.polylines()
     if arguments.leave_out_guides:
         curve = strands.without_guides(curve, flow.guides())
     return sharpest_bend(curve, arguments.spacing / 2)
