@@ -37,7 +37,20 @@ _INPUTS = (
     ),
     *rope.INPUTS,
     *ends.INPUTS,
+    (
+        _FACTOR,
+        "Round",
+        "How far the line is drawn beside the curve to make its turns round, in spacings",
+        0.0,
+        0.0,
+        0.5,
+    ),
+    ("NodeSocketObject", "Round Line", "The line with round turns, which Meander makes"),
+    ("NodeSocketInt", "Round Points", "How many points the curve has that it was made of", 0, 0),
+    (_FLOAT, "Round Length", "How long that curve is, in the space of the object", 0.0, 0.0),
 )
+# How much of the length a curve may have changed by and be the same, as sums are that long.
+_SAME_LENGTH = 1e-3
 
 
 def build() -> list[bpy.types.ID]:
@@ -47,7 +60,7 @@ def build() -> list[bpy.types.ID]:
         nodes.declare(group, *row)
     tree = nodes.Tree(group)
     given = tree.add("NodeGroupInput").outputs
-    named = _with_attributes(tree, given["Geometry"])
+    named = _with_attributes(tree, _round_line(tree, given))
 
     # In points of a result `radius` is the room beside them in half spacings.
     room = tree.add("GeometryNodeInputRadius").outputs[0]
@@ -87,6 +100,33 @@ def build() -> list[bpy.types.ID]:
     whole = ends.with_ends(tree, coloured.outputs[0], lifted.outputs[0], given)
     tree.add("NodeGroupOutput", {"Geometry": whole})
     return [group]
+
+
+def _round_line(tree: nodes.Tree, given: bpy.types.NodeInputs) -> bpy.types.NodeSocket:
+    """The line with round turns, where the curve is the one that it was made of; else the curve.
+
+    Elsewhere the curve has been edited or moved since, and nothing is known of how it was.
+    """
+    curve = given["Geometry"]
+    line = tree.add(
+        "GeometryNodeObjectInfo", {"Object": given["Round Line"]}, transform_space="ORIGINAL"
+    )
+    size = tree.add("GeometryNodeAttributeDomainSize", {"Geometry": curve}, component="CURVE")
+    points = nodes.visible(size.outputs, "Point Count")
+    length = tree.add("GeometryNodeCurveLength", {"Curve": curve}).outputs[0]
+    known = given["Round Length"]
+    off = tree.math("ABSOLUTE", tree.math("SUBTRACT", length, known))
+    tests = (
+        ({"A": points, "B": given["Round Points"]}, "INT", "EQUAL"),
+        ({"A": off, "B": tree.math("MULTIPLY", known, _SAME_LENGTH)}, "FLOAT", "LESS_THAN"),
+    )
+    same = [
+        tree.add("FunctionNodeCompare", values, data_type=kind, operation=operation).outputs[0]
+        for values, kind, operation in tests
+    ]
+    both = tree.add("FunctionNodeBooleanMath", dict(enumerate(same)), operation="AND").outputs[0]
+    drawn = nodes.visible(line.outputs, "Geometry")
+    return nodes.switch(tree, both, curve, drawn, "GEOMETRY")
 
 
 def _with_attributes(tree: nodes.Tree, geometry: bpy.types.NodeSocket) -> bpy.types.NodeSocket:

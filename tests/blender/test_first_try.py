@@ -152,7 +152,8 @@ def test_all_selected_meshes_are_filled_one_after_another():
         thing.select_set(True)
     with pytest.raises(RuntimeError, match="'Nothing' has no faces"):
         bpy.ops.meander.run()  # what cannot be filled is reported, and the others are filled
-    results = {thing.meander.surface: thing for thing in bpy.data.objects if thing.type == "CURVE"}
+    shown = bpy.context.scene.objects
+    results = {thing.meander.surface: thing for thing in shown if thing.type == "CURVE"}
     assert set(results) == {first, second, third}
     # Who has been set up keeps it; who has not takes what the active one has.
     assert [results[thing].meander.spacing for thing in (first, second, third)] == pytest.approx(

@@ -102,7 +102,7 @@ def test_lift_is_counted_in_radii():
 def test_a_body_knows_where_along_its_strand_it_is():
     surface = sphere()
     seed = poly_curve("Seed", [circle_points(0.45, 0.89), circle_points(0.45, -0.89)], True)
-    result = fill(surface, SPACING, seed=seed, iteration_limit=30)
+    result = fill(surface, SPACING, seed=seed, iteration_limit=30, round_share=0.0)
     mesh = body_of(result)
     values = {}
     for name in ("along", "arc_length", "strand"):
@@ -214,7 +214,8 @@ def test_the_ends_of_a_body_stay_where_those_of_the_line_are():
 )
 def test_a_rope_is_as_many_plies_that_wind_round_the_line(closed: bool, plies: int, twist: float):
     seed = poly_curve("Seed", [circle_points(0.45, 0.89)[: None if closed else 20]], closed)
-    result = fill(sphere(), SPACING, seed=seed, iteration_limit=12, profile="ROPE")
+    rope = {"profile": "ROPE", "round_share": 0.0}
+    result = fill(sphere(), SPACING, seed=seed, iteration_limit=12, **rope)
     choose(result, Radius=0.15, Plies=plies, Twist=twist, Resolution=8)
     mesh = body_of(result)
     assert pieces_of(mesh) == plies

@@ -272,7 +272,7 @@ def test_a_run_follows_its_objects(deed: Callable[[], None]):
     assert bpy.data.objects[written]["mark"] == "result"
     assert bpy.data.objects[written].meander.surface["mark"] == "surface"
     assert shape_of(written) != former
-    assert [thing.name for thing in bpy.data.objects if thing.type == "CURVE"] == [written]
+    assert [thing.name for thing in bpy.context.scene.objects if thing.type == "CURVE"] == [written]
 
 
 def test_a_deleted_surface_is_found_again_after_undo():

@@ -22,6 +22,7 @@ _LOOKS = frozenset(
     {
         "use_bevel",
         "bevel_share",
+        "round_share",
         "profile",
         "radius_follows",
         "points_as",

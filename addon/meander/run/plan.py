@@ -204,7 +204,7 @@ def _look_of(settings: bpy.types.PropertyGroup) -> Look:
     """What a new result is to look like."""
     profile = settings.bl_rna.properties["profile"].enum_items[settings.profile].value
     radius = settings.bevel_share if settings.use_bevel else 0.0
-    return Look(radius, profile)
+    return Look(radius, profile, round=settings.round_share)
 
 
 def _outline_distance(

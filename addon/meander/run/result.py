@@ -11,8 +11,7 @@ import numpy as np
 
 from .. import core
 from ..model import start, strands
-from ..model.geometry.simplification import result_points
-from ..model.geometry.thinning import least_spacing, with_points
+from ..model.geometry.thinning import least_spacing
 from ..model.joining import joining_of
 from ..model.last_run import GAP_THAT_MATTERS, why_lines
 from ..model.preparation import described, mended
@@ -32,6 +31,7 @@ from ..scene.settings import copy_settings
 from ..scene.shared_settings import share
 from ..scene.transforms import mean_scale, to_local
 from ..scene.view_aid import lay_on_what_is_shown
+from . import rounding
 from .plan import Plan
 from .stepper import Snapshot, Stepper
 
@@ -74,7 +74,9 @@ def write_result(
     preparation.remember_problem(surface, "")
     radius = plan.problem.options.radius
     spacing = least_spacing(radius, stepper.density)
-    curve, radii, guides, line = _shown(plan, stepper, snapshot.polylines, spacing)
+    curve, radii, guides, line = rounding.shown(
+        plan, stepper.guides, snapshot.polylines, stepper.point_data.radii, spacing
+    )
     earlier = plan.result.find() if plan.result else None
     earlier = earlier if results.is_present(earlier) else None
     if earlier is None:
@@ -128,6 +130,7 @@ def write_result(
         result.meander.figures.length = shown
     result.meander.figures.whole_points = len(snapshot.polylines.positions)
     scene_strands.note_guides(result, guides, keep_guides)
+    rounding.draw_after_run(plan, stepper, result, spacing)
     result.meander.figures.bridges = "" if line is None else bridges.to_text(line, keep_guides)
     grown = strands.points_without_guides(curve, guides) if not keep_guides else slice(None)
     point_attributes.store_medial_radii(result, radii[grown], plan.matrix)
@@ -136,19 +139,6 @@ def write_result(
     if undisturbed and (earlier is None or not plan.from_surface):
         _make_active(context, result)
     return result
-
-
-def _shown(
-    plan: Plan, stepper: Stepper, polylines: core.Polylines, spacing: float
-) -> tuple[core.Polylines, np.ndarray, np.ndarray, bridges.Joined | None]:
-    """The curve as the result has it, r+ and r- of its points, which strands are guides, and the
-    line that it was joined to, if it was."""
-    kept = result_points(polylines, spacing, plan.light)
-    curve, radii = with_points(polylines, kept), stepper.point_data.radii[kept]
-    line = bridges.joined(curve, spacing, stepper.guides) if plan.bridges else None
-    if line is None:
-        return curve, radii, stepper.guides, None
-    return line.polylines, line.values(radii), line.guides, line
 
 
 def _bridge_figures(line: bridges.Joined | None) -> dict[str, Any]:

@@ -37,6 +37,7 @@ from .meaning import meaning_of
 from .plan import Plan, with_looks
 from .preview import Preview
 from .result import preparation_text, write_result
+from .rounding import tolerance_for
 from .stepper import Snapshot, Stepper
 from .suspended import SuspendedRun
 from .window import Window
@@ -354,6 +355,7 @@ class Session:
 
     def _keep(self, context: bpy.types.Context) -> tuple[bpy.types.Object, dict[str, Any]]:
         try:
+            self.stepper.rounding = tolerance_for(self.plan)
             outcome = self.stepper.result()
         except core.MeanderError as error:
             explain_refusal(self.plan, error)

@@ -70,6 +70,10 @@ class Stepper:
         self.gaps: core.Gaps | None = None
         self.guides: np.ndarray | None = None
         self.point_data: core.PointData | None = None  # of every point
+        # How far from the curve it is drawn to be round, in spacings, for whoever wants that; and
+        # of the result the drawn line with the data of its points, where that is not 0.
+        self.rounding = 0.0
+        self.drawn: tuple[core.Polylines, core.PointData] | None = None
         # Of a problem with a mirror: what a whole is made of. Of its result: the strand of the seed
         # that each strand came from, and why they are several lines; None and empty without one.
         self._half: Half | None = None
@@ -255,6 +259,7 @@ class Stepper:
         self.gaps = None if self._stop_reason == "cancelled" else flow.gaps()
         self.guides = flow.guides()
         self.point_data = flow.point_data()
+        self.drawn = flow.rounded(self.rounding) if self.rounding else None
         snapshot = self._snapshot(
             flow.polylines(),
             statistics["iterations"],

@@ -95,6 +95,8 @@ def _identifier(modifier: bpy.types.NodesModifier, name: str) -> str | None:
 
 
 LINE, ENDS = "Meander Line", "Meander Ends"
+# How far lines are drawn beside their curves unless something else is chosen, in spacings.
+ROUND = 0.12
 # Inputs that a run tells the look, and what keeps them, to tell them from what the user has set.
 _TOLD = {"Spacing": "look_spacing", "Radius Follows Spacing": "look_follows"}
 # Of what Blender keeps in single precision.
@@ -108,11 +110,13 @@ class Look:
     radius    share of the spacing; 0: a bare curve
     profile   number of the cross section, as the group counts them
     follows   thicker where neighbours are farther apart
+    round     how far the line is drawn beside the curve to make turns round, share of the spacing
     """
 
     radius: float
     profile: int = 0
     follows: bool = False
+    round: float = 0.0
 
 
 def dress(curve_object: bpy.types.Object, look: Look, spacing: float) -> None:
@@ -147,7 +151,8 @@ def add_modifier(curve_object: bpy.types.Object, look: Look, spacing: float) -> 
     group = assets.node_group(GROUP)
     modifier = curve_object.modifiers.new(GROUP, "NODES")
     modifier.node_group = group
-    for name, value in (("Radius", look.radius), ("Profile", look.profile)):
+    given = (("Radius", look.radius), ("Profile", look.profile), ("Round", look.round))
+    for name, value in given:
         set_value(modifier, name, value)
     write(curve_object, modifier)
     for name, value in (("Spacing", spacing), ("Radius Follows Spacing", float(look.follows))):

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import bpy
 
+from .drawn_line import drawn_of, remove_unused
 from .fillable import has_faces, is_result
 from .linked_settings import settings_of, settings_to_change
 from .made import let_go
@@ -99,7 +100,7 @@ def forget_deleted(surface: bpy.types.Object) -> None:
     settings_to_change(surface).last_result = None
     let_go(found)
     if found.users == 0 and found.library is None:
-        data = found.data
-        bpy.data.objects.remove(found)
-        if data.users == 0:
-            bpy.data.curves.remove(data)
+        drawn = drawn_of(found)
+        remove_unused(found)
+        if drawn is not None:
+            remove_unused(drawn)

@@ -12,8 +12,18 @@ from typing import Any
 import bpy
 from bpy.app.handlers import persistent
 
-from ..run import estimate, gaps, live, motion, notes, seeds, session, suspended
-from ..scene import after_undo, bake, changes, identity, linked_settings, look, made, solid_view
+from ..run import estimate, gaps, live, motion, notes, rounding, seeds, session, suspended
+from ..scene import (
+    after_undo,
+    bake,
+    changes,
+    drawn_line,
+    identity,
+    linked_settings,
+    look,
+    made,
+    solid_view,
+)
 from . import live as live_operator
 from . import look as look_panel
 from . import seeds as seed_drawing
@@ -39,7 +49,13 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
         motion.on_load,
         live_operator.forget,
     ),
-    "save_pre": (linked_settings.before_save, made.before_save, look.on_output, bake.on_output),
+    "save_pre": (
+        linked_settings.before_save,
+        made.before_save,
+        look.on_output,
+        rounding.on_output,
+        bake.on_output,
+    ),
     "undo_pre": (changes.on_undo_begin, after_undo.begin),
     "undo_post": (*_READ_BACK, solid_view.give_back, *_UNDONE),
     "redo_pre": (changes.on_undo_begin, after_undo.begin),
@@ -48,10 +64,11 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
         changes.on_update,
         after_undo.on_update,
         look.on_update,
+        drawn_line.on_update,
         solid_view.give_back,
     ),
     "frame_change_post": (changes.on_frame, motion.on_frame),
-    "render_init": (look.on_output, bake.on_output, motion.on_render),
+    "render_init": (look.on_output, rounding.on_output, bake.on_output, motion.on_render),
     "render_complete": (motion.on_render_end,),
     "render_cancel": (motion.on_render_end,),
 }
@@ -59,7 +76,13 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
 _EVALUATED = frozenset({"depsgraph_update_post", "frame_change_post"})
 
 # Timers that are begun where something is to be waited for; none outlasts the add-on.
-_TIMERS = (live_operator.tick, estimate.measure_ordered, seed_drawing.watch, look_panel.pass_on)
+_TIMERS = (
+    live_operator.tick,
+    estimate.measure_ordered,
+    seed_drawing.watch,
+    look_panel.pass_on,
+    look_panel.draw_ordered,
+)
 
 # What ends with the add-on, the running curve first.
 _ENDED = (

@@ -8,7 +8,8 @@ of it acts at once and can be animated, and whoever changes it there sees it her
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ..scene import look
+from ..run import rounding
+from ..scene import drawn_line, look
 from ..scene.bake import looks_differ, pass_on_look
 from ..scene.identity import Key
 from ..scene.linked_settings import settings_of
@@ -151,8 +152,18 @@ class MEANDER_PT_look(SubPanel, bpy.types.Panel):
 _ordered: Key | None = None
 
 
+# The result that is to be drawn with another rounding, likewise.
+_to_draw: Key | None = None
+# Not while its slider is dragged.
+_DRAG_SECONDS = 0.2
+
+
 def _order(result: bpy.types.Object) -> None:
-    global _ordered
+    global _ordered, _to_draw
+    if drawn_line.is_due(result):
+        _to_draw = Key(result)
+        if not bpy.app.background and not bpy.app.timers.is_registered(draw_ordered):
+            bpy.app.timers.register(draw_ordered, first_interval=_DRAG_SECONDS)
     if not looks_differ(result):
         return
     _ordered = Key(result)
@@ -168,14 +179,31 @@ def pass_on() -> None:
         pass_on_look(result)
 
 
+def draw_ordered() -> None:
+    """Draws what the panel shows as its *Round* asks for."""
+    global _to_draw
+    result, _to_draw = None if _to_draw is None else _to_draw.find(), None
+    if result is not None and drawn_line.is_due(result):
+        rounding.renew(result, bpy.context.scene, bpy.context.evaluated_depsgraph_get())
+
+
 def _draw_seed(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
     """What the first result of a surface will look like."""
     switch(layout, settings, "use_bevel")
     column = layout.column()
     column.active = settings.use_bevel
     column.prop(settings, "profile")
-    column.prop(settings, "bevel_share")
+    _draw_pair(column, (settings, "bevel_share"), (settings, "round_share"))
     switch(column, settings, "radius_follows")
+
+
+def _draw_pair(layout: bpy.types.UILayout, *places: tuple[object, str] | None) -> None:
+    """Two values side by side, with their names in them; none of what is not there."""
+    row = layout.row(align=True)
+    row.use_property_split = False
+    for place, name in zip(places, ("Radius", "Round")):
+        if place is not None:
+            row.prop(*place, text=name)
 
 
 def _draw_bevel(layout: bpy.types.UILayout, result: bpy.types.Object) -> None:
@@ -195,7 +223,7 @@ def _draw_look(
             layout.prop(*place, text=text or name)
 
     layout.prop(result.meander, "shown_profile")
-    row("Radius")
+    _draw_pair(layout, *(look.place_of(modifier, name) for name in ("Radius", "Round")))
     if result.meander.shown_profile in ("ROUND", "ROPE"):
         row("Resolution")
     if result.meander.shown_profile == "ROPE":

@@ -21,7 +21,7 @@ from bpy.props import (
 
 from ..model.options.table import TABLE, in_panel
 from ..run import motion
-from ..scene import results
+from ..scene import look, results
 from ..scene.curve_reader import has_strands
 from ..scene.fillable import has_faces, is_result
 from ..scene.linked_settings import owner_of
@@ -161,6 +161,9 @@ class MeanderFigures(bpy.types.PropertyGroup):
     look_material: PointerProperty(type=bpy.types.Material, name="Material of the Look")
     look_spacing: FloatProperty(name="Spacing of the Look", options=set())
     look_follows: FloatProperty(name="Radius Follows Spacing in the Look", options=set())
+    # The tolerance with which the drawn line was made, and of which points.
+    round_told: FloatProperty(name="Round of the Drawn Line", options=set())
+    round_of: StringProperty(name="Points of the Drawn Line", options=set())
     # On results only, and of many gaps only the largest.
     gaps: CollectionProperty(type=MeanderGap, options=set())
     whole_points: IntProperty(name="Points of the Whole Curve", options=set())
@@ -251,6 +254,19 @@ class MeanderSettings(
         max=1.0,
         soft_min=0.02,
         soft_max=0.5,
+        subtype="FACTOR",
+        options=set(),
+    )
+    round_share: FloatProperty(
+        name="Round",
+        description=(
+            "How far a new line may be drawn beside the curve to make its turns round, as a share "
+            "of the spacing"
+        ),
+        default=look.ROUND,
+        min=0.0,
+        max=0.5,
+        soft_max=0.25,
         subtype="FACTOR",
         options=set(),
     )
