@@ -52,7 +52,7 @@ from .binding.cut import NO_STRAND, CutSurface, cut_surface
 from .binding.files import TextPolygons, read_numbers, read_polygons, triangulated
 from .binding.flow import Flow, Gaps, Nodes, PointData, Polylines, Preview
 from .binding.flow_options import FlowOptions, default_options, option_warnings
-from .binding.maps import MapPixels, cut_distances, map_pixels
+from .binding.maps import CutPlaces, MapPixels, cut_places, map_pixels
 from .binding.named import unknown_name
 from .binding.native_library import (
     LIBRARY_VARIABLE,
@@ -93,6 +93,7 @@ __all__ = [
     "Closest",
     "Context",
     "Cost",
+    "CutPlaces",
     "CutSurface",
     "Extent",
     "Faults",
@@ -116,7 +117,7 @@ __all__ = [
     "TextPolygons",
     "area_of",
     "automatic_spacing",
-    "cut_distances",
+    "cut_places",
     "cut_surface",
     "default_options",
     "estimate_cost",

@@ -60,12 +60,71 @@ def test_an_image_is_the_same_for_any_number_of_threads(sheet: Mapped) -> None:
     assert all(np.array_equal(a, b) for a, b in zip(one[:2], two[:2], strict=True))
     assert one[2:] == two[2:]
     found = [
-        core.cut_distances(
+        core.cut_places(
             sheet.cut, SPACING, np.abs(one.faces) % 50, np.abs(one.weights), True, threads
         )
         for threads in (1, 2)
     ]
     assert all(np.array_equal(a, b) for a, b in zip(*found, strict=True))
+
+
+def supersampled(mapped: Mapped, size: int, rows: slice) -> tuple[np.ndarray, ...]:
+    """The mean distance, height and colour of 64 places a pixel in some rows of an image, found by
+    nothing of the cut but its line: (rows, size), the same, and (rows, size, 3)."""
+    a, b = np.moveaxis(mapped.cut.positions[mapped.cut.line_edges()][:, :, :2], 1, 0)
+    assert mapped.cut.closed.all()  # so every point begins an edge
+    strand = np.searchsorted(mapped.cut.offsets, np.arange(len(a)), side="right") - 1
+    steps = (np.arange(8) + 0.5) / 8 - 0.5
+    offsets = np.stack(np.meshgrid(steps, steps), axis=2).reshape(-1, 2) / size
+    middles = centres(size)[rows]
+    means = []
+    for middle in middles.reshape(-1, 2):
+        far = distances_to(middle[None], a, b)[0][0]
+        near = np.flatnonzero(far < far.min() + 1.5 / size)
+        distance, share = distances_to(middle + offsets, a[near], b[near])
+        best = distance.argmin(axis=1)
+        every, piece = np.arange(len(offsets)), near[best]
+        d = distance[every, best] / SPACING
+        on = share[every, best] * np.linalg.norm(b[piece] - a[piece], axis=1)
+        part = (mapped.cut.arc_lengths[piece] + on) / mapped.cut.lengths[strand[piece]]
+        colours = Style().colours(1 - np.abs(2 * part - 1))  # there and back
+        height = 1 - np.clip(1 - 2 * d, 0, 1) ** 2
+        means.append([np.clip(d, 0, 1).mean(), height.mean(), *colours.mean(axis=0)])
+    images = np.reshape(means, (*middles.shape[:2], 5))
+    return images[:, :, 0], images[:, :, 1], images[:, :, 2:]
+
+
+def distances_to(
+    places: np.ndarray, a: np.ndarray, b: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Of each place from each piece, (n, m), and how far along the piece, from 0 to 1."""
+    u, way = b - a, places[:, None] - a
+    share = np.clip((way * u).sum(2) / np.maximum((u * u).sum(1), 1e-300), 0.0, 1.0)
+    return np.linalg.norm(way - share[:, :, None] * u, axis=2), share
+
+
+def test_pixels_are_the_mean_over_their_area(sheet: Mapped) -> None:
+    """Against 64 places a pixel; and no border between two turns is off by more than a pixel."""
+    size, rows = 120, slice(50, 66)
+    distance, height, colour = supersampled(sheet, size, rows)
+    tile = Tile(sheet, (0, 0), Style(size, 0))
+    for kind, true in (("distance", distance), ("height", height)):
+        off = np.abs(tile.values(kind)[rows] - true)
+        assert np.percentile(off, 99) < 0.01
+    found = tile.values("color")[rows]
+    # At borders a pixel differs from its neighbours by a good part of the ramp.
+    jump = np.zeros(colour.shape[:2])
+    jump[:, 1:] = np.abs(np.diff(colour, axis=1)).max(axis=2)
+    jump[1:] = np.maximum(jump[1:], np.abs(np.diff(colour, axis=0)).max(axis=2))
+    border = jump > 0.05
+    off = np.abs(found - colour).max(axis=2)
+    assert border.sum() > 100 and off[border].mean() < 0.02
+    # A spike shows a colour that neither the pixel has nor any of its neighbours.
+    wide = np.pad(colour, ((1, 1), (1, 1), (0, 0)), mode="edge")
+    high, across = colour.shape[:2]
+    around = np.stack([wide[r : r + high, c : c + across] for r in range(3) for c in range(3)])
+    beyond = np.maximum(around.min(axis=0) - found, found - around.max(axis=0)).max(axis=2)
+    assert np.all(beyond[1:-1] < 0.03)
 
 
 def test_each_pixel_lies_in_its_face() -> None:
@@ -141,9 +200,10 @@ def test_a_mirrored_map_mirrors_the_image_and_turns_normals(sheet: Mapped) -> No
 def test_sides_part_at_the_line_and_along_runs_from_0_to_1(sheet: Mapped) -> None:
     tile = Tile(sheet, (0, 0), Style(SIZE, 0))
     side = tile.image("side")
-    assert set(np.unique(side)) == {0, 65535}
-    # Where the side changes from pixel to pixel, the line is between them, or a middle line is.
-    changes = side[:, 1:] != side[:, :-1]
+    # Pixels that the line parts are grey.
+    assert np.isin(side, (0, 65535)).mean() > 0.85
+    # Where the side changes from pixel to pixel, the line is between them.
+    changes = (side[:, 1:] > 32767) != (side[:, :-1] > 32767)
     distance = tile.image("distance") / 65535.0
     near = np.minimum(distance[:, 1:], distance[:, :-1])[changes]
     assert (near < 1.5 / SIZE / SPACING).mean() > 0.95
@@ -278,6 +338,16 @@ def test_exr_has_what_png_rounds(sheet: Mapped) -> None:
     assert tile.file("mask", ".png")[:4] == b"\x89PNG"
 
 
+def _parted(along: np.ndarray) -> np.ndarray:
+    """Pixels beside others of another turn, which may be a mean of both."""
+    parted = np.zeros(along.shape, dtype=bool)
+    for axis in (0, 1):
+        jumps = np.abs(np.diff(along, axis=axis)) > 0.01
+        parted |= np.concatenate((jumps, np.zeros_like(jumps).take([0], axis)), axis)
+        parted |= np.concatenate((np.zeros_like(jumps).take([0], axis), jumps), axis)
+    return parted
+
+
 def test_colours_follow_the_ramp_along_the_line(sheet: Mapped) -> None:
     assert sheet.cut.closed.all()
     ramp = np.array([[0.0, 0.1, 0.9], [0.5, 0.1, 0.0], [1.0, 1.0, 0.0]])
@@ -286,7 +356,7 @@ def test_colours_follow_the_ramp_along_the_line(sheet: Mapped) -> None:
     # There and back, since the line is closed: the first quarter leads to the middle of the ramp.
     for share, wanted in ((0.02, [0.04, 0.1, 0.9 * 0.92]), (0.25, ramp[1]), (0.5, ramp[2]),
                           (0.75, ramp[1])):  # fmt: skip
-        there = np.abs(along - share) < 0.002
+        there = (np.abs(along - share) < 0.002) & ~_parted(along)
         assert there.sum() > 20
         assert np.abs(colour[there] - wanted).max() < 0.02
     # As screens have it: half of the light is three quarters of the number.

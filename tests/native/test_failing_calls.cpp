@@ -283,6 +283,12 @@ std::vector<Call> surface_calls() {
                      if (outlines->result) world.counts[0] = outlines->strand_count;
                      return status;
                    }});
+  calls.push_back({"places", make_cut, [](World& world, meander_error* error) {
+                     const int32_t nearest[] = {0, -1};
+                     const float weights[] = {0.2f, 0.3f, 0.5f, 0, 0, 0};
+                     return CALLED(cut_find_places)(&world.cut, 1, nearest, weights, 2, 2, nullptr, nullptr,
+                                                    world.indices.data(), world.numbers.data(), nullptr, error);
+                   }});
   return calls;
 }
 

@@ -62,7 +62,22 @@ def map_pixels(
     return MapPixels(faces, weights, covered.value, twice.value)
 
 
-def cut_distances(
+class CutPlaces(NamedTuple):
+    """The places on the curve that are nearest to places of a cut.
+
+    distances  (n,) float64, to there
+    strands    (n,) uint32: which strand it is on; NO_STRAND where none runs
+    along      (n,) float64: its arc length from the first point of that strand
+    away       (n, 3) float64: the way from there; None where that was not asked for
+    """
+
+    distances: NDArray[np.float64]
+    strands: NDArray[np.uint32]
+    along: NDArray[np.float64]
+    away: NDArray[np.float64] | None
+
+
+def cut_places(
     cut: CutSurface,
     farthest: float,
     faces: NDArray[np.int32],
@@ -70,9 +85,8 @@ def cut_distances(
     away: bool = False,
     threads: int = 0,
     context: Context | None = None,
-) -> tuple[NDArray[np.float64], NDArray[np.float64] | None]:
-    """How far places of a cut are from the curve, (n,), and the way to them from the nearest place
-    on the curve, (n, 3), if that is asked for; see meander_cut_measure_distances.
+) -> CutPlaces:
+    """The places on the curve that are nearest to places of a cut; see meander_cut_find_places.
 
     farthest         distances end there
     faces, weights   (n,) int32 and (n, 3) float32: places as map_pixels gives them
@@ -88,23 +102,30 @@ def cut_distances(
     record.point_count, record.strand_count = len(cut.line_vertices), len(cut.line_strands)
     face_array = checked_array("faces", faces, np.int32, None)
     weight_array = checked_array("weights", weights, np.float32, 3)
-    distances = np.empty(len(face_array))
-    ways = np.empty((len(face_array), 3)) if away else None
+    count = len(face_array)
+    places = CutPlaces(
+        np.empty(count),
+        np.empty(count, dtype=np.uint32),
+        np.empty(count),
+        np.empty((count, 3)) if away else None,
+    )
     with pointer_of(context) as cancelling:
         call(
-            native().meander_cut_measure_distances,
+            native().meander_cut_find_places,
             byref(record),
             float(farthest),
             address_of(face_array),
             address_of(weight_array),
-            len(face_array),
+            count,
             int(threads),
-            address_of(distances),
-            address_of(ways),
+            address_of(places.distances),
+            address_of(places.away),
+            address_of(places.strands),
+            address_of(places.along),
             cancelling,
         )
     del kept
-    return distances, ways
+    return places
 
 
 # What is read of a cut.

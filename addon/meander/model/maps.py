@@ -12,7 +12,7 @@ import os
 import re
 import struct
 import zlib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -21,7 +21,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from .cut import along_shares
 from .files.exr import exr
 
 # What an image can show; docs/making.md says what its values mean.
@@ -40,6 +39,14 @@ MOST_TILES = 100
 DETAIL = 0.125
 # Pixels whose values are computed at a time.
 _AT_ONCE = 1 << 22
+# Places along each side of a pixel of which it is the mean, where turns meet in it.
+_SAMPLES = 4
+# Pixels wider than this share of the spacing are all means: heights bend within them.
+_COARSE = 0.08
+# Neighbouring pixels farther apart than this along the line, in spacings, belong to two turns.
+_JUMP = 0.7
+# Kinds of three values a pixel.
+_VECTORS = ("normal", "color")
 # From this share of pixels in two places on it is worth a word.
 _OVERLAPPING = 0.005
 
@@ -107,8 +114,26 @@ class Mapped:
         return sorted((int(column), int(row)) for column, row in found)
 
 
+@dataclass(frozen=True)
+class _Looked:
+    """What is known of places: their faces, the nearest places of the line, and a number for the
+    strand and side that they belong to."""
+
+    face: NDArray[np.int32]
+    places: core.CutPlaces
+    turn: NDArray[np.int64]
+
+
+def _parts(pixels: NDArray[np.int64]) -> Iterator[NDArray[np.int64]]:
+    for begin in range(0, len(pixels), _AT_ONCE):
+        yield pixels[begin : begin + _AT_ONCE]
+
+
 class Tile:
-    """One unit square of a map, as pixels: which face each of them lies in, and where.
+    """One unit square of a map, as pixels: the mean over the area of each.
+
+    Most pixels lie within one turn and are what their middle is. Those at the border between two
+    turns, on the line, or at the edge of an island are the mean of many places.
 
     overlap   the share of its pixels that lie in two places of the surface
     """
@@ -119,8 +144,10 @@ class Tile:
         tile: tuple[int, int],
         style: Style,
         context: core.Context | None = None,
+        kinds: Sequence[str] = KINDS,
     ) -> None:
-        self._mapped, self._style = mapped, style
+        """kinds   those of KINDS that will be asked for"""
+        self._mapped, self._style, self._kinds = mapped, style, tuple(kinds)
         size = style.size
         # In pixels, whose centres are whole numbers; rows count from the top, as in image files.
         places = (mapped.uv - np.array(tile)) * size - 0.5
@@ -132,19 +159,11 @@ class Tile:
         self._context = context
 
     def values(self, kind: str) -> NDArray[np.float32]:
-        """One of KINDS, (size, size) or, of normals and colours, (size, size, 3), all from 0 to 1;
-        0 where no face is near. Colours are linear."""
-        size = self._style.size
-        image: NDArray[np.float32] | None = None
-        for begin in range(0, size * size, _AT_ONCE):
-            part = slice(begin, begin + _AT_ONCE)
-            known = self.face[part] >= 0
-            face, weights = self.face[part][known], self._weights[part][known]
-            values = self._values(kind, face, weights)
-            if image is None:
-                image = np.zeros((size * size, *values.shape[1:]), dtype=np.float32)
-            image[part][known] = np.clip(values, 0.0, 1.0)
-        return image.reshape(size, size, *image.shape[1:])
+        """One of the kinds, (size, size) or, of normals and colours, (size, size, 3), all from 0 to
+        1; 0 where no face is near. Colours are linear."""
+        if kind not in self._images:
+            raise KeyError(f"{kind} is none of the kinds of this tile")
+        return self._images[kind]
 
     def image(self, kind: str) -> NDArray[np.uint16]:
         """The same with 16 bits a channel; colours are as screens have them (sRGB)."""
@@ -157,38 +176,112 @@ class Tile:
         """The same as a file, of one of SUFFIXES."""
         return exr(self.values(kind)) if suffix == ".exr" else png(self.image(kind))
 
-    def _values(
-        self, kind: str, face: NDArray[np.int32], weights: NDArray[np.float32]
-    ) -> NDArray[np.float64]:
-        cut, spacing = self._mapped.cut, self._mapped.spacing
-        if kind == "side":
-            return (cut.sides[face] > 0).astype(np.float64)
-        if kind in ("along", "color"):
-            along = (along_shares(cut)[face] * weights.astype(np.float64)).sum(axis=1)
-            if kind == "along":
-                return along
-            return self._style.colours(self._there_and_back(face, along))
-        distance, away = core.cut_distances(
-            cut, spacing, face, weights, kind == "normal", context=self._context
-        )
-        distance /= spacing
-        if kind == "mask":
-            edge = 0.5 * self._style.line_width - distance
-            return 0.5 + edge * spacing / self._pixel_widths[face]
-        if kind == "normal":
-            return self._normals(face, distance, away)
-        return distance if kind == "distance" else _height(distance)
+    @cached_property
+    def _images(self) -> dict[str, NDArray[np.float32]]:
+        size = self._style.size
+        images = {
+            kind: np.zeros((size * size, 3) if kind in _VECTORS else size * size, dtype=np.float32)
+            for kind in self._kinds
+        }
+        turn, along = np.full(size * size, -1, dtype=np.int64), np.zeros(size * size)
+        bent = np.zeros(size * size, dtype=bool)
+        for part in _parts(np.flatnonzero(self.face >= 0)):
+            at = self._look(self.face[part], self._weights[part])
+            for kind, image in images.items():
+                image[part] = self._values(kind, at)
+            turn[part], along[part] = at.turn, at.places.along / self._mapped.spacing
+            width = self._pixel_widths[at.face]
+            coarse = width > _COARSE * self._mapped.spacing
+            bent[part] = coarse | (at.places.distances < width)  # the line may be in it
+        averaged = [kind for kind in self._kinds if kind != "mask"]  # which is one already
+        if averaged:
+            self._average(images, averaged, np.flatnonzero(bent | self._at_borders(turn, along)))
+        if "normal" in images:
+            known = self.face >= 0
+            images["normal"][known] = 0.5 + 0.5 * _unit(images["normal"][known] - 0.5)
+        return {kind: image.reshape(size, size, *image.shape[1:]) for kind, image in images.items()}
 
-    def _there_and_back(
-        self, face: NDArray[np.int32], along: NDArray[np.float64]
-    ) -> NDArray[np.float64]:
-        """Shares of the way along a strand; of a closed one from 0 to 1 and back, so that nothing
-        shows where it meets itself."""
+    def _at_borders(self, turn: NDArray[np.int64], along: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Which pixels have a neighbour that belongs to another turn or side, or to none."""
+        size = self._style.size
+        turn, along = turn.reshape(size, size), along.reshape(size, size)
+        border = np.zeros((size, size), dtype=bool)
+        for down, right in ((0, 1), (1, 0), (1, 1), (1, -1)):
+            rows = slice(0, size - down), slice(down, size)
+            if right >= 0:
+                columns = slice(0, size - right), slice(right, size)
+            else:
+                columns = slice(1, size), slice(0, size - 1)
+            here, there = (rows[0], columns[0]), (rows[1], columns[1])
+            differs = turn[here] != turn[there]
+            differs |= np.abs(along[here] - along[there]) > _JUMP
+            border[here] |= differs
+            border[there] |= differs
+        return border.ravel() & (self.face >= 0)
+
+    def _average(
+        self,
+        images: dict[str, NDArray[np.float32]],
+        kinds: Sequence[str],
+        pixels: NDArray[np.int64],
+    ) -> None:
+        """Puts the mean over so many places of each of these pixels in the place of its middle."""
+        sums = {kind: np.zeros((len(pixels), *images[kind].shape[1:])) for kind in kinds}
+        steps = (np.arange(_SAMPLES) + 0.5) / _SAMPLES - 0.5
+        for offset in np.stack(np.meshgrid(steps, steps), axis=2).reshape(-1, 2):
+            found = core.map_pixels(
+                self._places - offset, self._style.size, max(self._style.margin, 1),
+                context=self._context,
+            )
+            for part in _parts(np.arange(len(pixels))):
+                face, weights = found.faces[pixels[part]], found.weights[pixels[part]]
+                beyond = face < 0  # of what has no neighbour there, its middle counts
+                face[beyond] = self.face[pixels[part]][beyond]
+                weights[beyond] = self._weights[pixels[part]][beyond]
+                at = self._look(face, weights)
+                for kind in kinds:
+                    sums[kind][part] += self._values(kind, at)
+        for kind in kinds:
+            images[kind][pixels] = sums[kind] / _SAMPLES**2
+
+    def _look(self, face: NDArray[np.int32], weights: NDArray[np.float32]) -> _Looked:
         cut = self._mapped.cut
-        closed = np.zeros(int(cut.line_strands.max()) + 2 if len(cut.line_strands) else 1, bool)
-        closed[cut.line_strands] = cut.closed.astype(bool)
-        back = 1.0 - np.abs(2.0 * (along % 1.0) - 1.0)
-        return np.where(closed[np.minimum(cut.strands, len(closed) - 1)[face]], back, along)
+        places = core.cut_places(
+            cut, self._mapped.spacing, face, weights, "normal" in self._kinds, context=self._context
+        )
+        sides = cut.sides[face].astype(np.int64)
+        strands = np.where(places.strands == core.NO_STRAND, 0, places.strands.astype(np.int64) + 1)
+        return _Looked(face, places, 2 * strands + (sides > 0))
+
+    def _values(self, kind: str, at: _Looked) -> NDArray[np.float64]:
+        spacing, face = self._mapped.spacing, at.face
+        distance = at.places.distances / spacing
+        if kind == "side":
+            values = (self._mapped.cut.sides[face] > 0).astype(np.float64)
+        elif kind == "along":
+            values = self._shares(at.places)[0]
+        elif kind == "color":
+            along, closed = self._shares(at.places)
+            # Of a closed strand from 0 to 1 and back, so that nothing shows where it meets itself.
+            back = 1.0 - np.abs(2.0 * (along % 1.0) - 1.0)
+            values = self._style.colours(np.where(closed, back, along))
+        elif kind == "mask":
+            edge = 0.5 * self._style.line_width - distance
+            values = 0.5 + edge * spacing / self._pixel_widths[face]
+        elif kind == "normal":
+            values = self._normals(face, distance, at.places.away)
+        else:
+            values = distance if kind == "distance" else _height(distance)
+        return np.clip(values, 0.0, 1.0)
+
+    def _shares(self, places: core.CutPlaces) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+        """How far along their strands places are, from 0 to 1, and whether these are closed."""
+        cut = self._mapped.cut
+        count = int(cut.line_strands.max()) + 2 if len(cut.line_strands) else 1
+        lengths, closed = np.ones(count), np.zeros(count, dtype=bool)
+        lengths[cut.line_strands], closed[cut.line_strands] = cut.lengths, cut.closed != 0
+        strands = np.minimum(places.strands, count - 1)
+        return places.along / lengths[strands], closed[strands]
 
     @cached_property
     def _pixel_widths(self) -> NDArray[np.float64]:
@@ -263,7 +356,7 @@ def images(
         raise NoPlace(problem)
     files, overlap = {}, 0.0
     for done, number in enumerate(tiles):
-        tile = Tile(mapped, number, style, context)
+        tile = Tile(mapped, number, style, context, kinds)
         overlap = max(overlap, tile.overlap)
         for place, kind in enumerate(kinds, 1):
             progress((done + place / (len(kinds) + 1)) / len(tiles))

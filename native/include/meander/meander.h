@@ -1587,8 +1587,7 @@ MEANDER_API meander_status meander_map_find_pixels(const double* drawing, size_t
                                                    meander_context* context, meander_error* error);
 
 /* Finds how far places of a cut surface are from the curve. Between corners that is the distance in space
- * from the place on the curve between their nearest places, in proportion to their own distances where the
- * surface bends on the way, and never more than what lies straight between corners.
+ * from the nearest place on the curve, in proportion to their own distances where the surface bends on the way.
  *
  * cut        prepared by meander_cut_init, with the arrays that meander_flow_cut_surface gave, or with copies
  *            of them; only positions, distances, faces, strands, along, face_distances and the curve are read
@@ -1605,6 +1604,21 @@ MEANDER_API meander_status meander_cut_measure_distances(const meander_cut* cut,
                                                          size_t point_count, uint32_t threads,
                                                          double* distances, double* away,
                                                          meander_context* context, meander_error* error);
+
+/* Finds the place on the curve that is nearest to each of some places of a cut surface: of the turn that their
+ * face belongs to, or of one that another face at its corners belongs to. The border between two turns is where
+ * they are equally near, and is as smooth as the curve.
+ *
+ * strands    receives uint32_t[point_count]: the strand, as in meander_polylines; UINT32_MAX where no strand
+ *            runs; or NULL
+ * along      receives double[point_count]: the arc length of the place from the first point of its strand; or
+ *            NULL
+ * and all else as in meander_cut_measure_distances, but that `distances` may be NULL. Any thread. */
+MEANDER_API meander_status meander_cut_find_places(const meander_cut* cut, double distance,
+                                                   const int32_t* nearest, const float* weights,
+                                                   size_t point_count, uint32_t threads, double* distances,
+                                                   double* away, uint32_t* strands, double* along,
+                                                   meander_context* context, meander_error* error);
 
 #ifdef __cplusplus
 }

@@ -67,14 +67,14 @@ meander_status meander_map_find_pixels(const double* drawing, size_t face_count,
   });
 }
 
-meander_status meander_cut_measure_distances(const meander_cut* cut, double distance, const int32_t* nearest,
-                                             const float* weights, size_t point_count, uint32_t threads,
-                                             double* distances, double* away, meander_context* context,
-                                             meander_error* error) {
+meander_status meander_cut_find_places(const meander_cut* cut, double distance, const int32_t* nearest,
+                                       const float* weights, size_t point_count, uint32_t threads, double* distances,
+                                       double* away, uint32_t* strands, double* along, meander_context* context,
+                                       meander_error* error) {
   return guard(error, [&] {
     require_struct(cut);
     require(point_count <= size_t{1} << 30, "There are more than 2^30 places; ask for some of them at a time.");
-    require((nearest && weights && distances) || point_count == 0, "An array of the places is NULL.");
+    require((nearest && weights) || point_count == 0, "An array of the places is NULL.");
     require(std::isfinite(distance) && distance > 0, "The farthest distance must be a positive number.");
     require_threads(threads);
     MapOfCut known = checked_cut(read_struct(cut));
@@ -84,8 +84,22 @@ meander_status meander_cut_measure_distances(const meander_cut* cut, double dist
             "A place lies in a face that is not there.");
     check_cancelled(context);
     ThreadPool pool = ThreadPool(threads).with(cancel_of(context));
-    measure_distances(known, {nearest, point_count}, {weights, 3 * point_count}, {distances, point_count},
-                      {away, away ? 3 * point_count : 0}, pool);
+    const PlacesOfMap found{{distances, distances ? point_count : 0},
+                            {away, away ? 3 * point_count : 0},
+                            {strands, strands ? point_count : 0},
+                            {along, along ? point_count : 0}};
+    measure_places(known, {nearest, point_count}, {weights, 3 * point_count}, found, pool);
     check_cancelled(context);
   });
+}
+
+meander_status meander_cut_measure_distances(const meander_cut* cut, double distance, const int32_t* nearest,
+                                             const float* weights, size_t point_count, uint32_t threads,
+                                             double* distances, double* away, meander_context* context,
+                                             meander_error* error) {
+  if (!distances && point_count > 0) {
+    return guard(error, [] { refuse("An array of the places is NULL."); });
+  }
+  return meander_cut_find_places(cut, distance, nearest, weights, point_count, threads, distances, away, nullptr,
+                                 nullptr, context, error);
 }

@@ -6,69 +6,26 @@
 #include <cmath>
 #include <limits>
 
+#include "outputs/line_by_length.h"
+
 namespace meander {
 namespace {
 
 using Vec3 = Eigen::Vector3d;
 
-/// The curve by its arc length: strands one behind the other, a closed one with its first point once more at its end.
-class LineByLength {
- public:
-  explicit LineByLength(const MapOfCut& cut) {
-    uint32_t count = 1;
-    for (const uint32_t s : cut.line_strands) count = std::max(count, s + 2);
-    begin_.assign(count, 0);
-    length_.assign(count, std::numeric_limits<double>::infinity());
-    double begin = 0;
-    const auto at = [&](uint64_t point) {
-      return Vec3(Vec3::Map(&cut.positions[3 * size_t{cut.line_vertices[point]}]));
-    };
-    for (size_t k = 0; k < cut.line_strands.size(); ++k) {
-      begin_[cut.line_strands[k]] = begin;
-      length_[cut.line_strands[k]] = cut.lengths[k];
-      for (uint64_t i = cut.offsets[k]; i < cut.offsets[k + 1]; ++i) {
-        keys_.push_back(begin + cut.arc_lengths[i]);
-        points_.push_back(at(i));
-      }
-      if (cut.closed[k] && cut.offsets[k] < cut.offsets[k + 1]) {
-        keys_.push_back(begin + cut.lengths[k]);
-        points_.push_back(at(cut.offsets[k]));
-      }
-      begin += 2 * cut.lengths[k];
-    }
-  }
+/// Nearest places of corners that are farther apart than this share of the farthest distance belong to other turns.
+constexpr double kOtherTurn = 0.25;
 
-  /// A point in space; of a closed strand, arc lengths beyond its end begin anew. `guess` is where the last one was.
-  Vec3 at(uint32_t strand, double along, size_t& guess) const {
-    if (keys_.empty()) return Vec3::Zero();
-    strand = std::min(strand, static_cast<uint32_t>(begin_.size() - 1));
-    const double length = length_[strand];
-    if (along < 0 || along > length) {
-      along = std::fmod(along, length);
-      if (along < 0) along += length;
-    }
-    const double key = begin_[strand] + along;
-    if (!(key < keys_.back())) return points_.back();
-    if (key <= keys_.front()) return points_.front();
-    if (!(guess + 1 < keys_.size() && keys_[guess] <= key && key < keys_[guess + 1])) {
-      guess = static_cast<size_t>(std::ranges::upper_bound(keys_, key) - keys_.begin()) - 1;
-    }
-    const double t = key - keys_[guess], span = keys_[guess + 1] - keys_[guess];
-    const Vec3 &a = points_[guess], &b = points_[guess + 1];
-    Vec3 point;
-    for (int k = 0; k < 3; ++k) point[k] = (b[k] - a[k]) / span * t + a[k];
-    return point;
-  }
-
- private:
-  std::vector<double> begin_, length_, keys_;
-  std::vector<Vec3> points_;
+/// A place on the curve, by the number of its strand.
+struct Hint {
+  uint32_t strand;
+  double along;
 };
 
 /// All that is asked of a face, side by side.
 struct FaceOfMap {
   std::array<Vec3, 3> places;
-  std::array<double, 3> from_turn, from_any, to_line, along;
+  std::array<double, 3> from_turn, to_line, along;
   uint32_t strand = 0;
 };
 
@@ -76,43 +33,121 @@ double between(const std::array<double, 3>& values, const std::array<double, 3>&
   return values[0] * w[0] + values[1] * w[1] + values[2] * w[2];
 }
 
-}  // namespace
+/// The turns that meet at each vertex, as the faces there have them: one where all belong to the same.
+class TurnsAtVertices {
+ public:
+  TurnsAtVertices(const MapOfCut& cut, const LineByLength& line, const CancelToken& cancel)
+      : cut_(cut), line_(line), end_(cut.distances.size() + 1, 0), hints_(cut.faces.size()) {
+    CancelToken poll = cancel;
+    for (const uint32_t v : cut.faces) poll(), ++end_[v + 1];
+    for (size_t v = 1; v < end_.size(); ++v) end_[v] += end_[v - 1];
+    used_.assign(end_.size(), 0);
+    for (size_t corner = 0; corner < cut.faces.size(); ++corner) {
+      poll();
+      const uint32_t v = cut.faces[corner], s = cut.strands[corner / 3];
+      const Hint hint{s, cut.along[corner]};
+      if (s == kNone || !line.has(s) || has(v, hint)) continue;
+      hints_[end_[v] + used_[v]++] = hint;
+    }
+  }
 
-void measure_distances(const MapOfCut& cut, std::span<const int32_t> faces, std::span<const float> weights,
-                       std::span<double> distances, std::span<double> away, ThreadPool& pool) {
-  const LineByLength line(cut);
-  std::vector<FaceOfMap> known(cut.strands.size());
-  pool.for_blocks(known.size(), kMeshGrain, [&](size_t, size_t begin, size_t end) {
-    size_t guess = 0;
-    for (size_t f = begin; f < end; ++f) {
-      FaceOfMap& face = known[f];
-      face.strand = cut.strands[f];
-      for (size_t k = 0; k < 3; ++k) {
-        const size_t v = cut.faces[3 * f + k];
-        face.places[k] = Vec3::Map(&cut.positions[3 * v]);
-        face.along[k] = cut.along[3 * f + k];
-        // No strand runs on some parts: they are as far away as can be.
-        face.from_turn[k] = std::min(cut.face_distances[3 * f + k], cut.farthest);
-        face.from_any[k] = std::min(cut.distances[v], cut.farthest);
-        face.to_line[k] = (face.places[k] - line.at(face.strand, face.along[k], guess)).norm();
+  std::span<const Hint> at(uint32_t v) const { return std::span(hints_).subspan(end_[v], used_[v]); }
+  bool same_turn(const Hint& a, const Hint& b) const {
+    return a.strand == b.strand && line_.between(a.strand, a.along, b.along) <= kOtherTurn * cut_.farthest;
+  }
+
+ private:
+  bool has(uint32_t v, const Hint& hint) const {
+    return std::ranges::any_of(at(v), [&](const Hint& other) { return same_turn(hint, other); });
+  }
+
+  const MapOfCut& cut_;
+  const LineByLength& line_;
+  std::vector<size_t> end_;  // where the hints of each vertex begin
+  std::vector<uint32_t> used_;
+  std::vector<Hint> hints_;
+};
+
+class Measuring {
+ public:
+  Measuring(const MapOfCut& cut, ThreadPool& pool)
+      : cut_(cut), line_(cut), turns_(cut, line_, pool.poll(1u << 16)), known_(cut.strands.size()) {
+    pool.for_blocks(known_.size(), kMeshGrain, [&](size_t, size_t begin, size_t end) {
+      for (size_t f = begin; f < end; ++f) look_at(f);
+    });
+  }
+
+  /// A place of a face, with its weights, on the turn that is nearest to it.
+  struct Found {
+    LineByLength::Foot foot;
+    uint32_t strand = kNone;
+    Vec3 way = Vec3::Zero();
+    double distance = 0;
+  };
+  Found at(uint32_t f, const std::array<double, 3>& w) const {
+    const FaceOfMap& face = known_[f];
+    const Vec3 point = w[0] * face.places[0] + w[1] * face.places[1] + w[2] * face.places[2];
+    Found found;
+    found.distance = cut_.farthest;
+    if (!line_.has(face.strand)) return found;
+    const Hint own{face.strand, between(face.along, w)};
+    take(own, point, found);
+    const double straight = between(face.from_turn, w), chords = between(face.to_line, w);
+    const double bending = chords > 0 ? straight / chords : 1;
+    for (uint32_t k = 0; k < 3; ++k) {
+      for (const Hint& other : turns_.at(cut_.faces[3 * f + k])) {
+        if (!turns_.same_turn(other, {face.strand, face.along[k]})) take(other, point, found);
       }
     }
-  });
-  pool.for_blocks(faces.size(), size_t{1} << 15, [&](size_t, size_t begin, size_t end) {
-    size_t guess = 0;
-    for (size_t i = begin; i < end; ++i) {
-      Vec3 way = Vec3::Zero();
-      distances[i] = 0;
-      if (faces[i] >= 0) {
-        const FaceOfMap& face = known[static_cast<size_t>(faces[i])];
-        const std::array<double, 3> w = {weights[3 * i], weights[3 * i + 1], weights[3 * i + 2]};
-        const Vec3 point = w[0] * face.places[0] + w[1] * face.places[1] + w[2] * face.places[2];
-        way = point - line.at(face.strand, between(face.along, w), guess);
-        const double straight = between(face.from_turn, w), chords = between(face.to_line, w);
-        const double bent = way.norm() * (chords > 0 ? straight / chords : 1);
-        distances[i] = std::min(std::min(bent, straight), between(face.from_any, w));
+    found.way = point - found.foot.place;
+    found.distance = std::min(std::sqrt(found.foot.squared) * bending, cut_.farthest);
+    return found;
+  }
+
+ private:
+  void look_at(size_t f) {
+    FaceOfMap& face = known_[f];
+    face.strand = cut_.strands[f];
+    for (size_t k = 0; k < 3; ++k) {
+      const size_t v = cut_.faces[3 * f + k];
+      face.places[k] = Vec3::Map(&cut_.positions[3 * v]);
+      face.along[k] = cut_.along[3 * f + k];
+      // No strand runs on some parts: they are as far away as can be.
+      face.from_turn[k] = std::min(cut_.face_distances[3 * f + k], cut_.farthest);
+      face.to_line[k] = face.from_turn[k];
+      if (line_.has(face.strand)) {
+        face.to_line[k] = std::sqrt(line_.foot(face.strand, face.along[k], face.places[k]).squared);
       }
-      if (!away.empty()) std::copy_n(way.data(), 3, &away[3 * i]);
+    }
+  }
+  void take(const Hint& hint, const Vec3& point, Found& found) const {
+    const LineByLength::Foot foot = line_.foot(hint.strand, hint.along, point);
+    if (found.strand != kNone && !(foot.squared < found.foot.squared)) return;
+    found.foot = foot;
+    found.strand = hint.strand;
+  }
+
+  const MapOfCut& cut_;
+  LineByLength line_;
+  TurnsAtVertices turns_;
+  std::vector<FaceOfMap> known_;
+};
+
+}  // namespace
+
+void measure_places(const MapOfCut& cut, std::span<const int32_t> faces, std::span<const float> weights,
+                    const PlacesOfMap& found, ThreadPool& pool) {
+  const Measuring measuring(cut, pool);
+  pool.for_blocks(faces.size(), size_t{1} << 15, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      Measuring::Found place;
+      if (faces[i] >= 0) {
+        place = measuring.at(static_cast<uint32_t>(faces[i]), {weights[3 * i], weights[3 * i + 1], weights[3 * i + 2]});
+      }
+      if (!found.distances.empty()) found.distances[i] = place.distance;
+      if (!found.away.empty()) std::copy_n(place.way.data(), 3, &found.away[3 * i]);
+      if (!found.strands.empty()) found.strands[i] = place.strand;
+      if (!found.along.empty()) found.along[i] = place.foot.along;
     }
   });
 }

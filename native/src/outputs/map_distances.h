@@ -10,6 +10,7 @@
 #include "base/eigen.h"
 
 #include "base/thread_pool.h"
+#include "mesh/surface.h"
 
 namespace meander {
 
@@ -27,13 +28,21 @@ struct MapOfCut {
   double farthest = 0;  ///< distances end there
 };
 
-/// Places of faces with their weights of corners; distances[i] becomes that of place i, and `away`, three values a
-/// place or none, the way to it from the nearest place on the curve, of any length. Of the face -1: 0.
+/// What is found of places; each list has one value a place, `away` three, or is empty where it is not wanted.
+struct PlacesOfMap {
+  std::span<double> distances;
+  std::span<double> away;       ///< the way to it from the nearest place on the curve, of any length
+  std::span<uint32_t> strands;  ///< which strand that is on; kNone where no strand runs
+  std::span<double> along;      ///< the arc length there
+};
+
+/// Finds the place on the curve that is nearest to each of some places of faces, with their weights of corners: near
+/// the one between those of the corners, or near one that another face at these corners belongs to. So the border
+/// between two turns lies where they are equally near, however the faces there are cut. Of the face -1 all is 0.
 ///
-/// Between corners a distance is no straight line, above all round the tips of turns: it is that from the place on the
-/// curve between their nearest places, and in proportion to their own distances where the surface bends on the way. It
-/// is never more than what lies straight between corners, be it of their distances from this strand's turn or from any.
-void measure_distances(const MapOfCut& cut, std::span<const int32_t> faces, std::span<const float> weights,
-                       std::span<double> distances, std::span<double> away, ThreadPool& pool);
+/// The distance is the straight one from there, in proportion to the corners' own distances where the surface bends on
+/// the way.
+void measure_places(const MapOfCut& cut, std::span<const int32_t> faces, std::span<const float> weights,
+                    const PlacesOfMap& found, ThreadPool& pool);
 
 }  // namespace meander
