@@ -92,6 +92,19 @@ TEST(EvenSpacing, IsTheOneAskedForInTheMedian) {
   EXPECT_NEAR(median_spacing(*flow->flow), 1, kSpacingOff);
 }
 
+// Where nothing is done about it limp strands rest at .85 of the spacing, and those four times as stiff at 1.15.
+TEST(EvenSpacing, IsTheOneAskedForHoweverStiffStrandsAre) {
+  for (const double stiffness : {0.25, 4.0}) {
+    SCOPED_TRACE(testing::Message() << "times the usual stiffness: " << stiffness);
+    meander_flow_options options = options_with(1.0 / 32, 1, MEANDER_PRESET_EVEN);
+    options.bending_weight *= stiffness;
+    options.polish_bending_weight *= stiffness;
+    const FlowHandle flow = make_flow(flat_grid(20), options);
+    ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
+    EXPECT_NEAR(median_spacing(*flow->flow), 1, 2 * kSpacingOff);
+  }
+}
+
 // Rows of a full start on a square are a whole number; a sphere takes any spacing.
 TEST(EvenSpacing, MakesTheCurveAsLongAsTheSurfaceIsWideForIt) {
   for (const meander_preset preset : {MEANDER_PRESET_EVEN, MEANDER_PRESET_FINEST}) {

@@ -87,6 +87,10 @@ def _radii(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
 # Up to where a curve still turns at the spacing; beyond twice as much the library warns.
 STIFFNESSES = (1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0)
 
+# Strands rest farther apart by this power of their stiffness, which the library makes up for
+# (docs/decisions.md, "The spacing that is asked for").
+LOOSER_WHERE_STIFF = 1.0 / 9.0
+
 
 class Stiffening:
     """What has been found for a radius that is asked for, in the units of the mesh; 0: for none.
@@ -135,5 +139,12 @@ def _stiffer(options: core.FlowOptions) -> core.FlowOptions | None:
     if not following:
         return None
     # The polish follows in proportion, as the weight of the table does.
-    polish = options.polish_bending_weight * (following[0] / now if now > 0.0 else 1.0)
-    return replace(options, bending_weight=following[0], polish_bending_weight=polish)
+    ratio = following[0] / now if now > 0.0 else 1.0
+    # At its spacing a curve turns hardly any wider however stiff it is: here stiffness may widen it.
+    rest = options.tunings["polish_rest"] * ratio**-LOOSER_WHERE_STIFF
+    return replace(
+        options,
+        bending_weight=following[0],
+        polish_bending_weight=options.polish_bending_weight * ratio,
+        tunings={**options.tunings, "polish_rest": rest},
+    )

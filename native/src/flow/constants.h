@@ -100,6 +100,12 @@ inline constexpr double kOverfull = 0.4, kHardlyOverfull = 0.7;
 /// of the alignment weight. Measured at weights of 1, 2, 4 and 8: docs/decisions.md, "The spacing that is asked for".
 inline constexpr double kLooserAlongField = 0.075, kHalfLooser = 3.3;
 
+/// Stiff strands too: as this power of the polish's bending weight over the first, which is the presets' own, between
+/// one over the third and the third. A strand that bends less is pushed by wider balls, whose force is the ninth power
+/// of their radius with the polish's medial power of 8. Measured from a tenth to ten times: docs/decisions.md, "The
+/// spacing that is asked for".
+inline constexpr double kUsualBending = 1.2, kLooserWhereStiff = 1.0 / 9, kMostStiffness = 10;
+
 /// Its length weights stay between these, the first of them < 0 and the second > 0. Not measured; the offset and the
 /// gain are tunings.
 inline constexpr double kLeastPolishLength = -1, kMostPolishLength = 3;

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flow/settings.h"
 
+#include <algorithm>
+
+#include "base/elementary.h"
 #include "flow/constants.h"
 
 namespace meander {
 
 double FlowSettings::rest(bool directed) const {
   if (!polish) return 1;
-  if (!directed) return polish_rest;
+  const double stiffness =
+      std::clamp(polish_bending_weight / kUsualBending, 1 / kMostStiffness, kMostStiffness);
+  const double looser = elementary::pow(stiffness, kLooserWhereStiff);
+  if (!directed) return polish_rest * looser;
   const double squared = alignment_weight * alignment_weight;
-  return polish_rest + kLooserAlongField * squared / (squared + kHalfLooser * kHalfLooser);
+  return (polish_rest + kLooserAlongField * squared / (squared + kHalfLooser * kHalfLooser)) * looser;
 }
 
 FlowSettings FlowSettings::rescaled(double factor) const {

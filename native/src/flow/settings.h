@@ -54,8 +54,8 @@ struct FlowSettings {
   /// In the polish t_i = clamp(offset - gain (u_i - 1), -1, 3), where u_i is the medial radius in units of r, smoothed
   /// along the curve over 2 r.
   double polish_length_offset = 0, polish_length_gain = 0;
-  /// The medial radius at which strands that follow no direction come to rest in a polish, in the median and in r; see
-  /// rest(). Not used without a polish.
+  /// The medial radius at which strands that follow no direction, and are as stiff as the presets have them, come to
+  /// rest in a polish, in the median and in r; see rest(). Not used without a polish.
   double polish_rest = 1;
   /// q of eq. 13 in the polish: larger values weigh the worst gaps more; the force at a radius of r is that of q = 2.
   double polish_medial_power = 2;

@@ -148,7 +148,8 @@ class LineNetwork {
 
   /// Visits what is in the cells of a level from low to high and, where `finer`, in those of lower levels within them.
   template <class Wanted, class Visit>
-  bool any_among(const Search<Wanted, Visit>& search, size_t level, const Cell& low, const Cell& high, bool finer) const {
+  bool any_among(const Search<Wanted, Visit>& search, size_t level, const Cell& low, const Cell& high,
+                 bool finer) const {
     for (int64_t x = low[0]; x <= high[0]; ++x) {
       for (int64_t y = low[1]; y <= high[1]; ++y) {
         for (int64_t z = low[2]; z <= high[2]; ++z) {
