@@ -28,9 +28,9 @@ OF_THE_COMMAND = (
     *sorted((PACKAGE / "cli").glob("*.py")),
     *(PACKAGE / "model" / f"{name}.py" for name in (
         "files/meshes", "files/obj", "files/ply", "files/polygons", "files/stl", "files/text",
-        "geometry/surface_crossings", "toolpaths/drawing", "toolpaths/embroidery",
-        "toolpaths/gcode", "toolpaths/parts", "toolpaths/toolpath", "export", "least_bend",
-        "mirror", "mirror_images", "mirror_whole",
+        "files/vertex_values", "geometry/surface_crossings", "toolpaths/drawing",
+        "toolpaths/embroidery", "toolpaths/gcode", "toolpaths/parts", "toolpaths/toolpath",
+        "export", "least_bend", "mirror", "mirror_images", "mirror_whole",
     )),
 )  # fmt: skip
 OF_JOBS = tuple(sorted((PACKAGE / "jobs").glob("*.py")))

@@ -44,6 +44,8 @@ TRIES = """
 --output - --output-format obj --report -
 --cut -
 --backwards
+--density-color Col
+--density-color rgb
 --begin-at 0 0
 --output out.svg --begin-at 0 0 0
 --output none/out.obj
@@ -254,6 +256,9 @@ ELSEWHERE = {
     "cannot be written to; choose another": "needs a user without rights: test_whole_files.py",
     "is protected against writing": "the same",
     "cannot be used in Blender, which prints": "needs Blender: test_standard_streams.py",
+    "is not a finite number at vertex": "needs such a file: test_density_of_files.py",
+    "has colours that are no numbers": "the same",
+    "has no numbers '\0' of vertices": "the same",
     "no spacing gives a length": "test_target_length.py",
     "which no machine can do": "needs pyembroidery",
     "All strands are shorter than a stitch": "the same: test_what_machines_take.py",

@@ -19,8 +19,6 @@ _REASONS = {
     "direction_object": _CURVE,
     "direction_angle": _DATA,
     "density_group": _DATA,
-    "density_attribute": _DATA,
-    "density_color": _DATA,
     "density_image": _DATA,
     "uv_map": _DATA,
     "mask_group": _DATA,

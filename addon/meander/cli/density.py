@@ -5,9 +5,23 @@ from __future__ import annotations
 
 import argparse
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
-from ..model.density import CURVATURES, FREE, INTERPOLATIONS, Choice, Stops
+import numpy as np
+
+from ..model.density import (
+    CURVATURES,
+    FREE,
+    INTERPOLATIONS,
+    Choice,
+    Stops,
+    Values,
+    srgb_luminance,
+)
+from ..model.files.meshes import SUFFIXES
+from ..model.files.vertex_values import COLORS, vertex_colors, vertex_numbers
+from ..model.files.whole import FileError
 from .flags import add_flags
 from .values import number
 
@@ -19,6 +33,12 @@ _SOURCES = (
     ("image", "IMAGE", "image"),
     ("curvature", "CURVATURE", "curvature"),
 )
+# The kinds of --input that have such a source, where it is not .blend only.
+_OF_FILES = {
+    "attribute": (".blend", ".ply"),
+    "color": (".blend", ".ply", ".obj"),
+    "curvature": (".blend", *SUFFIXES),
+}
 # Options that mean nothing without a source.
 _DETAILS = (
     "density_range",
@@ -38,8 +58,17 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     add = group.add_argument
     add("--density-group", metavar="NAME", help="vertex group of the .blend's object")
-    add("--density-attribute", metavar="NAME", help="numbers of points, faces or corners")
-    add("--density-color", metavar="NAME", help="color attribute: its brightness")
+    add(
+        "--density-attribute",
+        metavar="NAME",
+        help="attribute of numbers, of points, faces or corners; of a .ply, one of its vertices",
+    )
+    add(
+        "--density-color",
+        metavar="NAME",
+        help=f"color attribute: its brightness; of a .ply or .obj, where colours have no name, "
+        f"{COLORS}",
+    )
     add("--density-image", metavar="NAME", help="image in the .blend: its brightness")
     add("--density-curvature", choices=CURVATURES, help="absolute curvature of the surface")
     add_flags(group, "density")
@@ -79,9 +108,12 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
         names = " and ".join(f"--density-{option}" for option, _source, _kind in given[:2])
         return f"{names} are both given; choose one source of density"
     for option, _source, what in given:
-        if kind != ".blend" and option != "curvature":
+        if kind not in _OF_FILES.get(option, (".blend",)):
             name = getattr(arguments, f"density_{option}")
             return f"unknown {what} {name!r}: a {kind} file has none; give a .blend to --input"
+        name = getattr(arguments, f"density_{option}")
+        if option == "color" and kind != ".blend" and name != COLORS:
+            return f"--density-color {name}: the colours of a {kind} file are called {COLORS}"
     if not given:
         for detail in _DETAILS:
             if getattr(arguments, detail) is not None:
@@ -171,6 +203,24 @@ def choice_of(arguments: argparse.Namespace, saved: Choice) -> Choice:
     if arguments.density_ramp is not None:
         changes.update(_free_ramp(_read_stops(arguments.density_ramp)))
     return replace(saved, **changes)
+
+
+def of_file(choice: Choice, path: Path) -> Values | None:
+    """The density per vertex of a mesh file from what it says of its vertices; None: this is no
+    source of that kind. Raises FileError."""
+    if choice.source == "COLOR":
+        values = srgb_luminance(vertex_colors(path))
+    elif choice.source == "ATTRIBUTE":
+        values = vertex_numbers(path, choice.name)
+    else:
+        return None
+    bad = np.flatnonzero(~np.isfinite(values))
+    if len(bad):
+        raise FileError(
+            f"'{choice.name}' is not a finite number at vertex {int(bad[0])} of {path}; correct "
+            "its values"
+        )
+    return choice.ramp(values).density(values)
 
 
 def echo(arguments: argparse.Namespace, choice: Choice) -> dict[str, Any]:

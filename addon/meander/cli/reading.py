@@ -96,6 +96,8 @@ def _set_fields(given: Input, arguments: argparse.Namespace) -> None:
     given.density_choice = density.choice_of(arguments, Choice())
     if given.density_choice.source == "CURVATURE":
         problem.density = curvature_density(given.density_choice, radius)
+    else:
+        problem.density = density.of_file(given.density_choice, arguments.input)
     problem.directions = terms.directions_without_a_scene(
         given.alignment, problem.vertices, problem.faces, radius
     )

@@ -106,6 +106,21 @@ def read_ply_mesh(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.uin
     return mesh.vertices, mesh.faces
 
 
+def read_vertex_numbers(path: Path) -> dict[str, NDArray]:
+    """The columns of the vertices of a PLY file, (n,) each, that are no lists, by name; in a text
+    float64 whatever their type.
+
+    Raises FileError as read_ply() does.
+    """
+    data = read_plain(path)
+    try:
+        order, elements, begin = _header(data)
+        table = _tables(data, begin, order, elements).get("vertex")
+    except _Malformed as problem:
+        raise FileError(f"{path} {problem}; export it again") from problem
+    return {} if table is None else {name: column for name, column in table.scalars.items()}
+
+
 def _header(data: bytes) -> tuple[str | None, list[_Element], int]:
     """The byte order, the elements in their order, and where the rows begin."""
     if data[:3] != b"ply":
