@@ -63,10 +63,10 @@ def mask_names(
 
 
 def is_number(attribute: bpy.types.Attribute) -> bool:
-    """Whether it has a number, or yes and no, at every point, face or corner; Blender's own, whose
-    names begin with a dot, are none."""
-    named = not attribute.name.startswith(".")
-    return named and attribute.data_type in _NUMBERS and attribute.domain in _DOMAINS
+    """Whether it has a number, or yes and no, at every point, face or corner; Blender's own, which
+    are there unasked, are none."""
+    own = attribute.name.startswith(".") or attribute.name == "sharp_face"
+    return not own and attribute.data_type in _NUMBERS and attribute.domain in _DOMAINS
 
 
 def is_point_vector(attribute: bpy.types.Attribute) -> bool:
