@@ -67,8 +67,9 @@ def draw(
         drawn = bpy.data.objects.new(curve.name, curve)
     earlier = drawn_of(result)
     set_value(modifier, "Round Line", drawn)
-    # An object that is named from now on, or no more: only the choice of a group says so to Blender.
-    modifier.node_group = modifier.node_group
+    # An object that is named now, or no more: only the choice of a group says so to Blender.
+    group = modifier.node_group
+    modifier.node_group = group
     set_value(modifier, "Round Points", 0 if drawn is None else _point_count(result.data))
     set_value(modifier, "Round Length", 0.0 if drawn is None else _length(result.data))
     if earlier is not None:
