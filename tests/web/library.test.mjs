@@ -4,6 +4,7 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import test from "node:test";
+import { brotliCompressSync } from "node:zlib";
 import * as meander from "../../build/web/meander.mjs";
 
 await meander.ready;
@@ -38,6 +39,12 @@ test("fills a mesh without crossings, on its surface, within the spacing", () =>
   const { distances } = meander.findClosest(TETRAHEDRON.positions, TETRAHEDRON.faces, curve.positions);
   assert.ok(Math.max(...distances) < 1e-12);
   assert.ok(Math.abs(curve.statistics.spacingMedian / 0.3 - 1) < 0.1);
+});
+
+test("a server sends no more than 450 KB of the module, and 700 of the page", () => {
+  const sent = (name) => brotliCompressSync(fs.readFileSync(new URL(`../../build/web/${name}`, import.meta.url))).length;
+  assert.ok(sent("meander.mjs") <= 450 * 1024);
+  assert.ok(sent("index.html") <= 700 * 1024);
 });
 
 test("every struct lies where the library has it", () => {
