@@ -66,6 +66,8 @@ export interface FlowOptions {
   threads?: number;
   roughness?: number;
   start?: "grow" | "full";
+  /** Another whole number, another curve. */
+  variation?: number;
   /** Experimental: their names, ranges and defaults may change with every version. */
   tunings?: Record<string, number>;
 }
