@@ -22,11 +22,11 @@ struct Region {
 ///
 /// A component without guides is one region, and its place the middle of its first face, or of the one
 /// farthest from the boundary where that lies in a strip to be left empty; in a variation other than 0 it is anywhere,
-/// as likely as there is area. Elsewhere
-/// samples of faces and edges, about r / 2 apart and at least as far from all guides, are joined where
-/// a straight line between them meets none: what is connected is a region, so that gaps which no
-/// strand would go through are closed. Its place is the first sample that lies 2.5 r away from all
-/// guides, or else the farthest, and variations begin with another sample. What is narrower than the samples is left out: the guides cover it.
+/// as likely as there is area. Elsewhere samples of faces and edges, about r / 2 apart and at least as far from all
+/// guides, are joined where a straight line between them meets none: what is connected is a region, so that gaps which
+/// no strand would go through are closed. Its place is the first sample that lies 2.5 r away from all guides, or else
+/// the farthest, and variations begin with another sample. What is narrower than the samples is left out: the guides
+/// cover it.
 /// `radius` is r.
 ///
 /// `boundary`, `strip_width`   points of the boundary, or null, and the distance from it, in local radii, that

@@ -67,9 +67,9 @@ class Drawer {
  public:
   Drawer(const LineField& field, const RadiusField& radius, const LineSpacing& spacing, uint32_t variation,
          LineNetwork& network, CancelToken poll, std::vector<Streamline>& lines)
-      : field_(field), radius_(radius), spacing_(spacing), variation_(variation), network_(network), s_(network.surface()), poll_(poll),
-        shortener_(s_), lines_(lines), trunks_(lines.size()), drawn_(s_.component_count(), 0),
-        wanted_(s_.component_count(), 0),
+      : field_(field), radius_(radius), spacing_(spacing), variation_(variation), network_(network),
+        s_(network.surface()), poll_(poll), shortener_(s_), lines_(lines), trunks_(lines.size()),
+        drawn_(s_.component_count(), 0), wanted_(s_.component_count(), 0),
         has_line_(s_.component_count(), 0), crowded_(network.patch_count()) {
     for (uint32_t f = 0; f < s_.face_count(); ++f) {
       const double r = radius_.at(s_, make_point(f, 1, 1, 1));
