@@ -36,9 +36,7 @@ def is_coarser(problem: Problem, nodes: float) -> bool:
     return coarse(problem, 0, nodes).options.radius > 1.001 * problem.options.radius
 
 
-def lines(
-    problem: Problem, variations: Iterable[int], nodes: float
-) -> Iterator[core.Polylines]:
+def lines(problem: Problem, variations: Iterable[int], nodes: float) -> Iterator[core.Polylines]:
     """The curve of each of these variations, one after another; see coarse().
 
     Raises core.MeanderError as open_flow() does.

@@ -99,11 +99,11 @@ class MEANDER_OT_show_variations(bpy.types.Operator):
         if not self.following:
             first = settings_of(active).variation // _COUNT * _COUNT
         numbers = range(first, first + _COUNT)
+        curves = list(lines(problem, numbers, nodes))  # first, as it refuses what cannot be drawn
         pictures = Thumbnails(problem.vertices, problem.faces, _turn_of(context), _PIXELS)
-        drawn = [pictures.of(curve) for curve in lines(problem, numbers, nodes)]
         shown.begin(first, is_coarser(problem, nodes))
-        for number, picture in zip(numbers, drawn, strict=True):
-            shown.add(number, picture)
+        for number, curve in zip(numbers, curves, strict=True):
+            shown.add(number, pictures.of(curve))
 
 
 class MEANDER_OT_use_variation(bpy.types.Operator):
