@@ -15,8 +15,11 @@ SPACING, WIDTH, DOOR = 0.1, 0.02, 0.1
 SIZE = 160
 
 
-def cut_of(mesh: geometry.Mesh, spacing: float, seed: core.Seed | None = None) -> core.CutSurface:
+def cut_of(
+    mesh: geometry.Mesh, spacing: float, seed: core.Seed | None = None, variation: int = 0
+) -> core.CutSurface:
     options = core.default_options("even")
+    options.variation = variation
     options.radius, options.iteration_limit = spacing / 2, 150
     with core.Flow(core.Surface(mesh.vertices, mesh.faces), options, seed) as flow:
         flow.run()
@@ -130,6 +133,58 @@ def test_doors_are_far_apart_and_at_the_border(sheet: core.CutSurface) -> None:
     others = [Doors(0, maze.region, *pair) for pair in pairs if apart(*pair) > 1.1]
     assert len(others) > 10
     assert in_the_middle(doors) > 0.9 * max(in_the_middle(each) for each in others)
+
+
+def disc(rings: int) -> geometry.Mesh:
+    """Of radius 1, of faces alike."""
+    points, faces = [(0.0, 0.0, 0.0)], []
+
+    def at(ring: int, place: int) -> int:
+        return 1 + 3 * ring * (ring - 1) + place % (6 * ring) if ring else 0
+
+    for ring in range(1, rings + 1):
+        turns = 2.0 * np.pi * np.arange(6 * ring) / (6 * ring)
+        points += [(ring / rings * np.cos(t), ring / rings * np.sin(t), 0.0) for t in turns]
+        for sixth in range(6):
+            for k in range(ring):
+                out, inside = sixth * ring + k, sixth * (ring - 1) + k
+                faces.append((at(ring, out), at(ring, out + 1), at(ring - 1, inside)))
+                if k < ring - 1:
+                    inner = at(ring - 1, inside), at(ring - 1, inside + 1)
+                    faces.append((at(ring, out + 1), inner[1], inner[0]))
+    return geometry.mesh(points, faces)
+
+
+@pytest.mark.parametrize(("variation", "through"), [(0, True), (1, False), (2, True)])
+def test_the_way_through_a_disc_leads_through_its_middle_where_any_does(
+    variation: int, through: bool
+) -> None:
+    spacing = 0.12
+    cut = cut_of(disc(12), spacing, variation=variation)
+    maze = Maze(cut, spacing)
+    doors, line = maze.farthest_doors(), line_of(cut)
+
+    def apart(of: Doors) -> float:
+        return float(np.linalg.norm(line[of.first] - line[of.second]))
+
+    def leads_through(of: Doors) -> bool:
+        way = cut.positions[maze.way(of)]
+        away = np.linalg.norm(way, axis=1)
+        steps = np.linalg.norm(np.diff(way, axis=0), axis=1)
+        at_rim = steps[away[1:] > 1.0 - 2.5 * spacing].sum()
+        return bool(away.min() < 1.0 / 3.0 and at_rim < 0.5 * steps.sum())
+
+    widest = 2.0 - 2.0 * spacing
+    assert apart(doors) > 0.8 * widest
+    assert doors.through == leads_through(doors) == through
+    if through:
+        return
+    rng = np.random.default_rng(3)
+    outer = np.flatnonzero(np.linalg.norm(line, axis=1) > 1.0 - 0.6 * spacing)
+    pairs = [sorted(rng.choice(outer, 2, replace=False)) for _ in range(80)]
+    others = [Doors(0, maze.region, *pair) for pair in pairs]
+    others = [each for each in others if apart(each) > 0.85 * widest]
+    assert len(others) > 10 and not any(leads_through(each) for each in others[:8])
 
 
 def test_the_way_keeps_off_the_walls(sheet: core.CutSurface) -> None:

@@ -22,7 +22,10 @@ from .cut import is_parted
 _FROM_BORDER, _AT_WALL = 1.0, 0.1
 # Doors at a boundary are chosen among so many places, and so far apart at least, as a share of the
 # widest two. What is farther from the boundary than this, in spacings, is the middle.
-_PLACES, _APART, _MIDDLE = 64, 0.8, 2.5
+_PLACES, _APART, _MIDDLE = 96, 0.8, 2.5
+# A way leads through if so much of it is in the middle, and it comes so near to the place inmost,
+# as shares.
+_INNER, _DEEP = 0.5, 0.7
 # In spacings: what is shorter is no corridor. The angle of a turn, and over which length it is.
 _CORRIDOR, _TURN, _STEP = 1.0, np.radians(60.0), 1.0
 
@@ -36,12 +39,15 @@ class Doors:
     """Two places on a strand of a cut, by their numbers in `cut.line_vertices`, and which strand.
 
     region   of the cut's faces: the side that is the maze
+    through  unless they were looked for at the boundary, and no way between two that are far apart
+             leads through the middle
     """
 
     strand: int
     region: int
     first: int
     second: int
+    through: bool = True
 
 
 @dataclass(frozen=True)
@@ -85,7 +91,8 @@ class Maze:
 
     def farthest_doors(self) -> Doors:
         """Two doors with the longest way between them. At the boundary where there is one: there
-        they are far apart, and what counts of the way is what leads through the middle."""
+        they are far apart, and the way is the one that is longest in the middle, of those that lead
+        through it where any does."""
         candidates = self._candidates()
         if len(self._border) and len(candidates) > 2:
             return self._doors_at_border(candidates)
@@ -106,33 +113,45 @@ class Maze:
         chosen = chosen[np.isfinite(far[self._line[chosen]])]
         places = self._cut.positions[self._line[chosen]]
         ways = [_way_to(int(vertex), before) for vertex in self._line[chosen]]
-        inner = self._inner_lengths(ways)
+        away = self._from_border(np.unique(np.concatenate(ways)))
+        courses = [self._course(way, away) for way in ways]
+        deep = _DEEP * float(away.max())
         apart = np.linalg.norm(places[:, None] - places[None], axis=2)
-        best, pair = -1.0, (0, len(chosen) - 1)
+        best, pair = (False, -1.0), (0, len(chosen) - 1)
         # Corridors are a tree: the way between two doors is what their ways from anywhere do not
         # have in common.
         for i, j in zip(*np.nonzero(np.triu(apart >= _APART * apart.max(), 1)), strict=True):
             same = _common(ways[i], ways[j]) - 1
-            length = inner[i][-1] + inner[j][-1] - 2.0 * inner[i][same]
-            if length > best:
-                best, pair = length, (int(i), int(j))
-        return Doors(self.strand, self.region, *sorted(int(chosen[place]) for place in pair))
+            whole, inner = (
+                one[-1] + other[-1] - 2.0 * one[same]
+                for one, other in zip(courses[i][:2], courses[j][:2], strict=True)
+            )
+            deepest = max(courses[i][2][same], courses[j][2][same])
+            found = (bool(inner >= _INNER * whole and deepest >= deep), float(inner))
+            if found > best:
+                best, pair = found, (int(i), int(j))
+        doors = sorted(int(chosen[place]) for place in pair)
+        return Doors(self.strand, self.region, *doors, through=best[0])
 
-    def _inner_lengths(self, ways: list[NDArray[np.int64]]) -> list[NDArray[np.float64]]:
-        """How much of each way up to each of its vertices is in the middle of the surface."""
+    def _from_border(self, vertices: NDArray[np.int64]) -> NDArray[np.float64]:
+        """How far these vertices are from the boundary; 0 of all others."""
         positions = self._cut.positions
         border = positions[self._border]
-        every = np.unique(np.concatenate(ways))
         away = np.zeros(len(positions))
-        for some in np.array_split(every, len(every) // 512 + 1):
+        for some in np.array_split(vertices, len(vertices) // 512 + 1):
             steps = positions[some][:, None] - border[None]
             away[some] = np.sqrt((steps**2).sum(axis=2).min(axis=1))
-        found = []
-        for way in ways:
-            steps = np.linalg.norm(np.diff(positions[way], axis=0), axis=1)
-            steps[away[way[1:]] < _MIDDLE * self._spacing] = 0.0
-            found.append(np.concatenate([[0.0], np.cumsum(steps)]))
-        return found
+        return away
+
+    def _course(
+        self, way: NDArray[np.int64], away: NDArray[np.float64]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        """Up to each vertex of a way its length, and how much of that is in the middle of the
+        surface; and how far from the boundary it comes from there on."""
+        steps = np.linalg.norm(np.diff(self._cut.positions[way], axis=0), axis=1)
+        inner = np.where(away[way[1:]] < _MIDDLE * self._spacing, 0.0, steps)
+        lengths = [np.concatenate([[0.0], np.cumsum(each)]) for each in (steps, inner)]
+        return *lengths, np.maximum.accumulate(away[way][::-1])[::-1]
 
     def hardness(self, way: NDArray[np.int64]) -> Hardness:
         """Of the maze with this way()."""

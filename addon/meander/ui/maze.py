@@ -116,6 +116,8 @@ class MEANDER_OT_maze(Cut, bpy.types.Operator):
         if doors is not None:
             vertices = maze.way(doors)
             self._remark = f", {maze.hardness(vertices)}"
+            if not doors.through:
+                self._remark += "; the way keeps to the rim, try another variation"
             if self.solution:
                 way = cut.cut.positions[vertices]
                 thickness = _WAY * spacing / mean_scale(matrix)
