@@ -140,7 +140,8 @@ def _stiffer(options: core.FlowOptions) -> core.FlowOptions | None:
         return None
     # The polish follows in proportion, as the weight of the table does.
     ratio = following[0] / now if now > 0.0 else 1.0
-    # At its spacing a curve turns hardly any wider however stiff it is: here stiffness may widen it.
+    # At its spacing a curve turns hardly any wider however stiff it is: here stiffness may widen
+    # it.
     rest = options.tunings["polish_rest"] * ratio**-LOOSER_WHERE_STIFF
     return replace(
         options,
