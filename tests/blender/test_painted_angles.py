@@ -126,10 +126,7 @@ def test_the_result_in_a_blend_knows_the_angle(run_command, tmp_path):
     ("words", "said"),
     [
         (("--direction-angle", "Angle"), "turns a field"),
-        (
-            ("--direction", "x", "--direction-angle", "None"),
-            "no vertex group, attribute of numbers",
-        ),
+        (("--direction", "x", "--direction-angle", "None"), "attribute of numbers or color"),
     ],
 )
 def test_what_cannot_turn_is_refused(run_command, words, said):
