@@ -42,6 +42,13 @@ Mesh strip(double length, double width, uint32_t n) {
   return ribbon(n, false, [=](double t) { return std::pair(Vec3(length * t, 0, 0), Vec3(0, 0.5 * width, 0)); });
 }
 
+/// The far end has next to no width.
+Mesh needle(double length, double width, uint32_t n) {
+  return ribbon(n, false, [=](double t) {
+    return std::pair(Vec3(length * t, 0, 0), Vec3(0, 0.5 * width * (1 - 0.999 * t), 0));
+  });
+}
+
 Mesh ring(double radius, double width, uint32_t n) {
   return ribbon(n, true, [=](double t) {
     const Vec3 out(std::cos(2 * kPi * t), std::sin(2 * kPi * t), 0);
@@ -163,6 +170,8 @@ std::vector<Long> long_surfaces() {
       {"spiral", spiral(3, 1, 0.4, 300), stroke({1.1, 0.1, 0}, {0.95, 0.1, 0})},
       {"strip of 200 x .8", strip(20, 0.08, 100), stroke({0.1, 0, 0}, {0.3, 0.001, 0})},
       {"strip of 200 x .8, of one quad", strip(20, 0.08, 1), stroke({0.1, 0, 0}, {0.3, 0.001, 0})},
+      {"strip of 50 x .4", strip(5, 0.04, 60), stroke({0.1, 0, 0}, {0.3, 0.001, 0})},
+      {"star .8 wide", star(10, 4, 0.08, 10), stroke({3.5, 0.01, 0}, {3.8, 0.01, 0})},
       {"strip of 200 x 1.2", strip(20, 0.12, 100), stroke({0.1, 0, 0}, {0.3, 0.001, 0})},
       {"strip of 400 x 2", strip(40, 0.2, 100), stroke({0.1, 0, 0}, {0.3, 0.001, 0})},
       {"ring of 200 x .8", ring(20 / (2 * kPi), 0.08, 240), stroke({20 / (2 * kPi), 0, 0}, {20 / (2 * kPi), 0.2, 0})},
@@ -202,9 +211,28 @@ TEST(Filled, AStripOfTwoSpacingsFromNothing) {
   EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
 }
 
+/// Of one quad: the first curve is an outline, and what it leaves in the middle is far from no strand.
+TEST(Filled, AStripOfEightHundredByFourFromNothing) {
+  const auto surface = std::make_shared<const Surface>(make_surface(strip(80, 4 * kSpacing, 1)));
+  Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+  EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+  EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+  EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+}
+
+/// It has room for a line and its way back but for its tip, which is said to be narrow.
+TEST(Filled, ANeedleBelowASpacing) {
+  const auto surface = std::make_shared<const Surface>(make_surface(needle(5, 0.8 * kSpacing, 20)));
+  Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+  EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+  EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+  EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.01);
+  EXPECT_EQ(find_gaps(flow, kGapSize).empty.wide, 0);
+}
+
 /// One that has not is left, and said to be narrow.
-TEST(Filled, AStripOfAThirdOfASpacing) {
-  const auto surface = std::make_shared<const Surface>(make_surface(strip(5, 0.3 * kSpacing, 60)));
+TEST(Filled, AStripOfASeventhOfASpacing) {
+  const auto surface = std::make_shared<const Surface>(make_surface(strip(5, 0.15 * kSpacing, 60)));
   Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
   flow.run(kNeverCancelled, [](double) {});
   EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
@@ -223,15 +251,31 @@ TEST(Filled, ANarrowStripIsJudgedByTheSpacingAskedFor) {
   EXPECT_LT(median, 0.6 * asked);
 }
 
-/// What a strand would crawl to for hundreds of iterations is laid.
-TEST(Filled, TheRestIsLaidOnceAndSaidSo) {
+/// Nothing was drawn, and growth along the strip would take longer than over a square.
+TEST(Filled, WhatIsTooLongToGrowIsLaidAtOnceAndSaidSo) {
   const auto surface = std::make_shared<const Surface>(make_surface(strip(40, 0.4, 80)));
-  const Flow plain(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
-  EXPECT_EQ(plain.start().completed, 0u);
   Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
-  flow.run(kNeverCancelled, [](double) {});
-  EXPECT_EQ(flow.start().completed, 1u);
+  EXPECT_EQ(flow.start().full_parts(), 0u);
+  ASSERT_TRUE(flow.step(kNeverCancelled));
   EXPECT_FALSE(flow.start().full_asked);
+  EXPECT_EQ(flow.start().full_parts(), 1u);
+  EXPECT_EQ(flow.start().grown_parts(), 0u);
+  EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.05);
+  const auto shorter = std::make_shared<const Surface>(make_surface(strip(5, 0.4, 80)));
+  Flow grown(shorter, nullptr, {}, checked_settings(options_of(kSpacing), *shorter));
+  ASSERT_TRUE(grown.step(kNeverCancelled));
+  EXPECT_EQ(grown.start().full_parts(), 0u);
+}
+
+/// What a strand would crawl to for hundreds of iterations is laid.
+TEST(Filled, TheRestIsLaidAndSaidSo) {
+  const auto surface = std::make_shared<const Surface>(make_surface(strip(40, 0.4, 80)));
+  const SeedStrands seed = seed_of({Line{{{0.1, 0, 0}, {0.4, 0, 0}}, false, false, false}}, false);
+  Flow flow(surface, &seed, {}, checked_settings(options_of(kSpacing), *surface));
+  EXPECT_EQ(flow.start().completed, 0u);
+  flow.run(kNeverCancelled, [](double) {});
+  EXPECT_GE(flow.start().completed, 1u);
+  EXPECT_EQ(flow.start().full_parts(), 0u);
   const auto round = std::make_shared<const Surface>(make_surface(sphere(3)));
   Flow compact(round, nullptr, {}, checked_settings(options_of(0.2), *round));
   compact.run(kNeverCancelled, [](double) {});

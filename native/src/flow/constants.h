@@ -166,7 +166,7 @@ inline constexpr double kGrownLength = 0.02, kGrownClamped = 0.01;
 inline constexpr double kGrownForSure = 0.005;
 
 /// What is farther than kFarFromNodes from every node, in r, > 2, has no strand that will fill it soon. Where that is
-/// more than kMostFar of the area, from 0 to 1, growth is not at its end: the rest is laid, once, and what is left then
+/// more than kMostFar of the area, from 0 to 1, growth is not at its end: the rest is laid, and what is left then
 /// is left to strands for as long as it becomes less by kLessFar of the area, > 0, in kGrowthWindow iterations. On all
 /// compact surfaces of scripts/fingerprints.py nothing is far when growth ends.
 inline constexpr double kFarFromNodes = 3.2, kMostFar = 0.001, kLessFar = 0.0005;
@@ -179,6 +179,9 @@ inline constexpr double kMostAlone = 0.01, kWidestAlone = 3.2;
 /// surface, > 0, which is twice as long as from a corner of that: on a long strip only two tips advance.
 inline constexpr double kPatience = 1.6;
 inline constexpr size_t kLeastPatience = 60;
+
+/// On a long strip that many r are grown along in an iteration, > 0: two tips advance by half of it each.
+inline constexpr double kAdvance = 3;
 
 /// Iterations that fit a finished curve to another spacing, up to kPolishIterations. More of them hardly make it more
 /// even: near_target of bunny after 10, 15, 20 and 30 is .932, .937, .939 and .943 for a spacing a tenth wider, .950,

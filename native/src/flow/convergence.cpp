@@ -29,11 +29,11 @@ double mean_distance(const Curve& curve, const std::vector<Vec3>& nodes, const L
 
 }  // namespace
 
-Convergence::Convergence(const FlowSettings& settings)
+Convergence::Convergence(const FlowSettings& settings, bool begins_full)
     : Convergence(settings.stop_rule, settings.polish, settings.hairpin_removal_iterations,
                   polish_iterations(settings, false)) {
   full_polish_iterations_ = polish_iterations(settings, true);
-  if (settings.full_start) phase_ = Phase::kStarting;
+  if (begins_full) phase_ = Phase::kStarting;
 }
 
 Convergence Convergence::restarted(double clamped_share) const {
@@ -57,7 +57,7 @@ Convergence Convergence::restarted(double clamped_share) const {
 }
 
 Convergence Convergence::revised(const FlowSettings& settings, double change, bool regrow) const {
-  Convergence next(settings);
+  Convergence next(settings, settings.full_start);
   next.phase_ = grows_in(phase_) ? phase_ : Phase::kGrowing;
   if (began_full_) next.begin_full();
   if (!settings.polish || !polish_wanted_ || grows_in(phase_)) return next;
@@ -151,6 +151,7 @@ void Convergence::note_idleness(const IterationFigures& figures) {
 /// `rests`: the curve hardly changes any more.
 void Convergence::note_growth(const IterationFigures& figures, bool rests) {
   const bool far = figures.far_share > kMostFar;
+  if (phase_ == Phase::kLayingRest && !figures.laid) laid_all_ = true;
   if (!rest_laid_ && (far || (rests && figures.alone_share > kMostAlone))) {
     rest_laid_ = true;
     idle_ = 0;
@@ -158,7 +159,7 @@ void Convergence::note_growth(const IterationFigures& figures, bool rests) {
     begin(Phase::kLayingRest);
   } else if (rests && far && figures.far_share < far_before_ - kLessFar) {
     far_before_ = figures.far_share;
-    begin(Phase::kGrowing);
+    begin(laid_all_ ? Phase::kGrowing : Phase::kLayingRest);
   } else if (rests && polish_wanted_) {
     begin(hairpin_removal_iterations_ > 0 ? Phase::kHairpinRemoval : Phase::kPolishing);
   } else if (rests) {

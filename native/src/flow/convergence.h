@@ -44,9 +44,9 @@ class Convergence {
         hairpin_removal_iterations_(hairpin_removal_iterations),
         polish_iterations_(polish_iterations) {}
 
-  /// Of a new flow with these settings. One that is to begin full has no hairpins removed and a polish of its own once
+  /// Of a new flow with these settings. One that `begins_full` has no hairpins removed and a polish of its own once
   /// something has been laid; else it grows as if nothing else had been asked for.
-  explicit Convergence(const FlowSettings& settings);
+  Convergence(const FlowSettings& settings, bool begins_full);
 
   /// Takes note of an iteration and of the curve after it, whose metric is given. Whatever it throws, all is then as
   /// it was.
@@ -101,6 +101,7 @@ class Convergence {
   bool polish_wanted_, converged_ = false, stalled_ = false;
   bool fitting_ = false;  // the polish is followed by the last iterations
   bool began_full_ = false, rest_laid_ = false;
+  bool laid_all_ = false;  // there was nothing that could be laid
   double far_before_ = 1;  // far_share when growth would have ended before
   uint32_t full_polish_iterations_ = 0;  // where it begins full
   double change_ = 0;     // of r since the curve grew; see revised()

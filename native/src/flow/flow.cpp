@@ -8,6 +8,7 @@
 #include "base/stopwatch.h"
 #include "flow/far_share.h"
 #include "flow/progress.h"
+#include "flow/room.h"
 #include "seed/first_curve.h"
 
 namespace meander {
@@ -22,6 +23,13 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
   return {{std::move(curve), {}, {}}, settings, std::move(domain), {settings.full_start, {}, 0}};
 }
 
+/// What was asked for, or where nothing was drawn and it would be laid in the end all the same.
+bool begins_full(const FlowSettings& settings, const Domain& domain, size_t drawn) {
+  if (settings.full_start) return true;
+  return drawn == 0 && settings.stop_rule != StopRule::kPaper && settings.boundary_distance <= 0.5 &&
+         too_long_to_grow(*domain.surface, domain.wanted_radius);
+}
+
 }  // namespace
 
 Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const VertexData<double>& density,
@@ -29,7 +37,7 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
     : pool_(settings.threads),
       drawn_(seed && !seed->offsets.empty() ? seed->offsets.size() - 1 : 0),
       state_(first_state(std::move(surface), seed, density, settings, pool_.with(cancel), seed_fit_)),
-      convergence_(settings),
+      convergence_(settings, begins_full(settings, state_.domain, drawn_)),
       approach_(settings.start_spacing_factor, settings.radius, state_.domain.surface->area()) {
   ThreadPool pool = pool_.with(cancel);
   if (at_scale()) {

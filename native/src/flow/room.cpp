@@ -2,33 +2,62 @@
 #include "flow/room.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
+#include "flow/constants.h"
 #include "mesh/strips.h"
 
 namespace meander {
-Room leave_room(const Surface& surface, const Curve& curve, RadiusField& radius) {
-  if (surface.boundary().empty()) return {};
-  std::vector<double> largest = strip_widths(surface);
-  for (double& width : largest) width /= 4;
-  if (*std::ranges::min_element(largest) >= radius.most()) return {};
-  std::vector<uint8_t> open(largest.size(), 0);
+namespace {
+
+/// A strip is filled by a line along its middle up to this width, in r, and better by two strands from then on: what
+/// one is farther from both sides than r, over r, is what r is over the distance of the two.
+constexpr double kAlongMiddle = 2 * std::numbers::sqrt2;
+
+/// Per component: an open strand grows in it.
+std::vector<uint8_t> with_open_strand(const Surface& surface, const Curve& curve) {
+  std::vector<uint8_t> open(surface.component_count(), 0);
   for (const Strand& strand : curve.strands) {
     if (!strand.closed && !strand.guide) open[surface.component(curve.nodes[strand.first].face)] = 1;
   }
-  for (size_t k = 0; k < largest.size(); ++k) {
-    if (open[k]) largest[k] *= 2;
+  return open;
+}
+
+}  // namespace
+
+Room leave_room(const Surface& surface, const Curve& curve, RadiusField& radius) {
+  if (surface.boundary().empty()) return {};
+  const std::vector<Strip> strips = strips_of(surface);
+  const auto narrow = [&](const Strip& strip) { return strip.width < 4 * radius.most(); };
+  if (std::ranges::none_of(strips, narrow)) return {};
+  std::vector<uint8_t> alone = with_open_strand(surface, curve);
+  if (std::ranges::count(alone, 1) > 0) {
+    const std::vector<uint8_t> two_ends = with_two_ends(surface, strips);
+    for (size_t k = 0; k < alone.size(); ++k) {
+      alone[k] &= two_ends[k] && strips[k].width < kAlongMiddle * radius.most();
+    }
   }
-  if (*std::ranges::min_element(largest) >= radius.most()) return {true, false};
   VertexData<double> most(surface.vertex_count());
   std::ranges::fill(most, std::numeric_limits<double>::infinity());
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
-    for (const uint32_t v : surface.face(f)) most[v] = largest[surface.component(f)];
+    const uint32_t k = surface.component(f);
+    for (const uint32_t v : surface.face(f)) most[v] = strips[k].width / (alone[k] ? 2 : 4);
   }
   const RadiusField before = radius;
   radius.limit(most, kLeastRoom);
   return {true, radius != before};
+}
+
+bool too_long_to_grow(const Surface& surface, const RadiusField& radius) {
+  const double r = radius.most();
+  return std::ranges::all_of(strips_of(surface), [&](const Strip& strip) {
+    const double side = std::sqrt(strip.width * strip.length) / r;
+    return strip.length < std::numeric_limits<double>::infinity() &&
+           strip.length > kAdvance * r * (static_cast<double>(kLeastPatience) + 0.5 * kPatience * side);
+  });
 }
 
 }  // namespace meander

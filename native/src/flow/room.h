@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What room there is for a closed line on surfaces that are all narrow.
+// What room there is for a closed line on surfaces that are all narrow, and what is too long to grow along.
 #pragma once
 
 #include "curve/curve.h"
@@ -8,8 +8,9 @@
 
 namespace meander {
 
-/// A component narrower than 4 r times this has no room for a line and its way back; from 0 to 1.
-inline constexpr double kLeastRoom = 0.2;
+/// A component narrower than 4 r times this has no room for a line and its way back; from 0 to 1. Below, segments are
+/// so much shorter than asked for that a strip takes hundreds of times as many as a square of its area.
+inline constexpr double kLeastRoom = 0.1;
 
 /// What was found.
 struct Room {
@@ -20,8 +21,12 @@ struct Room {
 /// A closed line lies across a strip an even number of times. One narrower than two spacings has room for it and its
 /// way back where r is a quarter of the strip's width; with a larger one the boundary pushes one strand into the other
 /// until neither can move. So r becomes that on every component that is such a strip, and half of its width where a
-/// strand that grows is open, which may lie along the middle; it stays what it is elsewhere, and where there is no room
-/// at all.
+/// strand that grows is open and may lie along the middle: where the strip has two ends and is no wider than a line
+/// alone fills better than two strands. It stays what it is elsewhere, and where there is no room at all.
 Room leave_room(const Surface& surface, const Curve& curve, RadiusField& radius);
+
+/// Whether all components are strips so long that growth, which advances at two tips there, would take longer than on a
+/// square of that area.
+bool too_long_to_grow(const Surface& surface, const RadiusField& radius);
 
 }  // namespace meander

@@ -16,13 +16,17 @@ namespace meander {
 struct StartReport {
   /// A curve that fills the surface was asked for.
   bool full_asked = false;
-  /// What became of every strand, in their order. Empty before the first iteration, where growth was asked for, and
-  /// where nothing was to be laid, since the curve filled a surface that had moved already.
+  /// What became of every strand, in their order. Empty before the first iteration, where the curve was to grow, and
+  /// where nothing was to be laid, since the curve filled a surface that had moved already. Where growth was asked for,
+  /// but would take too long (too_long_to_grow), a curve is laid too.
   std::vector<StrandStart> strands;
   /// Strands that have grown, and were then joined to lines laid in what was still empty beside them.
   uint32_t completed = 0;
 
-  uint32_t count(StrandStart what) const { return static_cast<uint32_t>(std::ranges::count(strands, what)); }
+  /// Where growth was asked for only those that were laid count: the others are as they were to be.
+  uint32_t count(StrandStart what) const {
+    return full_asked || what == StrandStart::kLaid ? static_cast<uint32_t>(std::ranges::count(strands, what)) : 0;
+  }
   uint32_t full_parts() const { return count(StrandStart::kLaid); }
   /// Those that grow although they were to begin full; `strands` says why.
   uint32_t grown_parts() const { return count(StrandStart::kNoRoom) + count(StrandStart::kCrossings); }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which components of a surface are long strips, and how wide these are.
+// Which components of a surface are long strips, how wide these are, and how long.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "mesh/surface.h"
@@ -12,8 +14,18 @@ namespace meander {
 /// A strip is so many times as long as wide.
 inline constexpr double kLeastStrip = 5;
 
-/// The width of every component that is a strip, infinite for others. A component counts as the rectangle that has its
-/// area and its boundary: so do rings, spirals and the arms of a star, and one that has no boundary is no strip.
-std::vector<double> strip_widths(const Surface& surface);
+/// A component as the rectangle that has its area and its boundary; infinite where that is no strip.
+struct Strip {
+  double width = std::numeric_limits<double>::infinity();
+  double length = std::numeric_limits<double>::infinity();
+};
+
+/// Every component. Rings, spirals and the arms of a star are strips; what has no boundary is none.
+std::vector<Strip> strips_of(const Surface& surface);
+
+/// Whether a line can run along each of these strips from end to end: not round a ring, nor into all arms of a star.
+/// Two places of it are nearly as far apart along its edges as it is long; false where `strips` has none. Two searches
+/// for shortest paths over all vertices.
+std::vector<uint8_t> with_two_ends(const Surface& surface, const std::vector<Strip>& strips);
 
 }  // namespace meander

@@ -69,9 +69,9 @@ LineField completed(const Surface& surface, const LineField& field, const Radius
   LineField smooth = relaxed_field(surface, ask);
   const double angle = 2 * std::numbers::pi * share_of_variation(variation);
   if (variation != 0) smooth.turn({elementary::cos(angle), elementary::sin(angle)});
-  const std::vector<double> widths = strip_widths(surface);
-  const auto is_narrow = [&](uint32_t f) { return widths[surface.component(f)] < kNarrow * radius.most(); };
-  if (*std::ranges::min_element(widths) < kNarrow * radius.most()) {
+  const std::vector<Strip> strips = strips_of(surface);
+  const auto is_narrow = [&](uint32_t f) { return strips[surface.component(f)].width < kNarrow * radius.most(); };
+  if (std::ranges::min_element(strips, {}, &Strip::width)->width < kNarrow * radius.most()) {
     smooth.replace(field_along_boundary(surface, ask), is_narrow);
   }
   if (field.empty()) return smooth;
