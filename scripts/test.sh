@@ -180,7 +180,7 @@ beside suite blender-4.5 900 "${in_profile[@]}" "$bpy_python" tests/blender/run.
 profile core
 beside suite core 900 "${in_profile[@]}" \
   /usr/bin/python3 -m pytest -q -p no:cacheprovider "${for_machines[@]/#/--ignore=}" tests/core
-beside window ui 100 run undo live look make mirror
+beside window ui 100 run undo live look make mirror variations
 beside window ui-more 200 nothing_lost calm_panel seeds first_try export camera
 # This suite makes its own profiles.
 beside suite package 600 env MEANDER_ZIP="$root/$zip" MEANDER_BPY_PYTHON="$root/$bpy_python" \
