@@ -24,8 +24,8 @@ _FROM_BORDER, _AT_WALL = 1.0, 0.1
 # widest two. What is farther from the boundary than this, in spacings, is the middle.
 _PLACES, _APART, _MIDDLE = 96, 0.8, 2.5
 # A way leads through if so much of it is in the middle, and it comes so near to the place inmost,
-# as shares.
-_INNER, _DEEP = 0.5, 0.7
+# as shares, and is so many times as long as the doors can be apart: no straight passage.
+_INNER, _DEEP, _LEAST = 0.5, 0.7, 1.3
 # In spacings: what is shorter is no corridor. The angle of a turn, and over which length it is.
 _CORRIDOR, _TURN, _STEP = 1.0, np.radians(60.0), 1.0
 
@@ -113,10 +113,10 @@ class Maze:
         chosen = chosen[np.isfinite(far[self._line[chosen]])]
         places = self._cut.positions[self._line[chosen]]
         ways = [_way_to(int(vertex), before) for vertex in self._line[chosen]]
+        apart = np.linalg.norm(places[:, None] - places[None], axis=2)
         away = self._from_border(np.unique(np.concatenate(ways)))
         courses = [self._course(way, away) for way in ways]
-        deep = _DEEP * float(away.max())
-        apart = np.linalg.norm(places[:, None] - places[None], axis=2)
+        deep, least = _DEEP * float(away.max()), _LEAST * float(apart.max())
         best, pair = (False, -1.0), (0, len(chosen) - 1)
         # Corridors are a tree: the way between two doors is what their ways from anywhere do not
         # have in common.
@@ -127,7 +127,8 @@ class Maze:
                 for one, other in zip(courses[i][:2], courses[j][:2], strict=True)
             )
             deepest = max(courses[i][2][same], courses[j][2][same])
-            found = (bool(inner >= _INNER * whole and deepest >= deep), float(inner))
+            through = inner >= _INNER * whole and deepest >= deep and whole >= least
+            found = (bool(through), float(inner))
             if found > best:
                 best, pair = found, (int(i), int(j))
         doors = sorted(int(chosen[place]) for place in pair)
