@@ -52,8 +52,8 @@ def test_a_surface_is_filled_without_a_seed(build):
     assert result.parent == surface
     assert surface.users_collection == result.users_collection
     assert counts() == before | {
-        "objects": before["objects"] + 1,
-        "curves": before["curves"] + 1,
+        "objects": before["objects"] + 2,  # it, and the line that its look draws
+        "curves": before["curves"] + 2,
         "node_groups": before["node_groups"] + 1,  # of its look
     }
     assert [cyclic for _points, cyclic in world_splines(result)] == [True]
