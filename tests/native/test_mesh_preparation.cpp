@@ -16,7 +16,6 @@ namespace {
 /// Every corner of a prepared face lies where its weights put it on the caller's face.
 void expect_maps_back(const Mesh& mesh, const PreparedMesh& prepared, double tolerance) {
   ASSERT_EQ(prepared.map.caller_vertex_count(), mesh.vertex_count());
-  ASSERT_EQ(prepared.map.caller_face_count(), mesh.face_count());
   for (uint32_t f = 0; f < prepared.faces.size() / 3; ++f) {
     const uint32_t* corners = &mesh.faces[3 * prepared.map.face(f)];
     for (size_t k = 0; k < 3; ++k) {

@@ -25,7 +25,6 @@ class MeshMap {
   };
 
   size_t caller_vertex_count() const { return caller_vertex_count_; }
-  size_t caller_face_count() const { return caller_face_count_; }
   const VertexOrigin& vertex_origin(uint32_t v) const { return vertices_[v]; }
   /// The caller's vertex that is nearest along the edge.
   uint32_t vertex(uint32_t v) const { return vertices_[v].t < 0.5 ? vertices_[v].a : vertices_[v].b; }
@@ -40,7 +39,7 @@ class MeshMap {
  private:
   friend class Soup;
   static constexpr uint32_t kWhole = UINT32_MAX;  // a face that is the caller's whole face
-  size_t caller_vertex_count_ = 0, caller_face_count_ = 0;
+  size_t caller_vertex_count_ = 0;
   std::vector<VertexOrigin> vertices_;
   std::vector<uint32_t> faces_;
   std::vector<uint32_t> corners_;  // per face: index into corner_weights_, kWhole for the caller's whole face

@@ -44,7 +44,9 @@ std::vector<uint32_t> boundary_of(Soup& soup) {
     if (sides.size() == 1) alone[sides[0].half_edge] = 1;
   });
   std::vector<uint32_t> boundary;
+  CancelToken poll = soup.poll();
   for (uint32_t e = 0; e < alone.size(); ++e) {
+    poll();
     if (alone[e]) boundary.push_back(e);
   }
   return boundary;
@@ -60,7 +62,10 @@ FaceBoundary::FaceBoundary(std::span<const Eigen::Vector3d> at, std::span<const 
     : positions(at), faces(of), half_edges(std::move(alone)), poll(cancel) {
   if (half_edges.empty()) return;
   std::vector<uint8_t> there(positions.size(), 0);
-  for (const uint32_t e : half_edges) there[from(faces, e)] = there[to(faces, e)] = 1;
+  for (const uint32_t e : half_edges) {
+    poll();
+    there[from(faces, e)] = there[to(faces, e)] = 1;
+  }
   std::vector<double> shortest(positions.size(), std::numeric_limits<double>::infinity());
   for (uint32_t e = 0; e < 3 * faces.size(); ++e) {
     poll();

@@ -16,6 +16,7 @@ std::vector<uint32_t> shared_places(std::span<const Eigen::Vector3d> positions, 
   std::vector<Eigen::Vector3d> points;  // seen from the first
   double extent = 0;
   for (uint32_t v = 0; v < used.size(); ++v) {
+    poll();
     if (!used[v]) continue;
     vertices.push_back(v);
     points.push_back(positions[v] - positions[vertices[0]]);

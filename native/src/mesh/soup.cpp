@@ -9,7 +9,6 @@ Soup::Soup(std::span<const double> vertices, std::span<const uint32_t> faces, co
     : positions_(vertices.size() / 3), at_mask_(positions_.size(), 0), pool_(ThreadPool(1).with(cancel)) {
   CancelToken poll = this->poll();
   map_.caller_vertex_count_ = positions_.size();
-  map_.caller_face_count_ = faces.size() / 3;
   for (uint32_t v = 0; v < positions_.size(); ++v) {
     poll();
     positions_[v] = Vec3(vertices[3 * v], vertices[3 * v + 1], vertices[3 * v + 2]);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <unordered_map>
 #include <vector>
 
 #include "base/cancel_token.h"
@@ -25,9 +26,7 @@ class SpaceSums {
   using Sums = std::array<double, Count>;
 
   /// `size`  of a cube, positive
-  explicit SpaceSums(double size) : to_cubes_(std::min(1 / size, std::numeric_limits<double>::max())) {
-    clear_table(1024);
-  }
+  explicit SpaceSums(double size) : to_cubes_(std::min(1 / size, std::numeric_limits<double>::max())) {}
 
   void add(const Vec3& p, const Sums& values) {
     const Place place = find(p, true);
@@ -86,39 +85,27 @@ class SpaceSums {
     return {cube[0] + static_cast<int64_t>(k & 1), cube[1] + static_cast<int64_t>(k >> 1 & 1),
             cube[2] + static_cast<int64_t>(k >> 2 & 1)};
   }
-  static size_t hash(const Cube& cube) {
-    uint64_t h = 0;
-    for (const int64_t x : cube) h = (h ^ static_cast<uint64_t>(x)) * 0x9e3779b97f4a7c15u, h ^= h >> 29;
-    return static_cast<size_t>(h);
-  }
+  struct Hash {
+    size_t operator()(const Cube& cube) const {
+      uint64_t h = 0;
+      for (const int64_t x : cube) h = (h ^ static_cast<uint64_t>(x)) * 0x9e3779b97f4a7c15u, h ^= h >> 29;
+      return static_cast<size_t>(h);
+    }
+  };
 
   uint32_t corner(const Cube& cube, bool make) {
-    size_t at = hash(cube) & (table_.size() - 1);
-    for (; table_[at] != kNone; at = (at + 1) & (table_.size() - 1)) {
-      if (cubes_[table_[at]] == cube) return table_[at];
+    if (!make) {
+      const auto found = numbers_.find(cube);
+      return found == numbers_.end() ? kNone : found->second;
     }
-    if (!make) return kNone;
-    const auto made = static_cast<uint32_t>(sums_.size());
-    table_[at] = made;
-    sums_.push_back({});
-    cubes_.push_back(cube);
-    if (2 * sums_.size() > table_.size()) clear_table(2 * table_.size());
-    return made;
-  }
-
-  void clear_table(size_t slots) {
-    table_.assign(slots, kNone);
-    for (uint32_t c = 0; c < cubes_.size(); ++c) {
-      size_t at = hash(cubes_[c]) & (slots - 1);
-      while (table_[at] != kNone) at = (at + 1) & (slots - 1);
-      table_[at] = c;
-    }
+    const auto [place, is_new] = numbers_.try_emplace(cube, static_cast<uint32_t>(sums_.size()));
+    if (is_new) sums_.push_back({});
+    return place->second;
   }
 
   double to_cubes_;
   std::vector<Sums> sums_;
-  std::vector<Cube> cubes_;
-  std::vector<uint32_t> table_;  // open addressing, at most half full
+  std::unordered_map<Cube, uint32_t, Hash> numbers_;  // in the order of their first vertices; never gone through
   Cube last_{};
   std::array<uint32_t, 8> last_corners_{};
   bool last_made_ = false;
