@@ -2,6 +2,7 @@
 #include "seed/outline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -53,8 +54,11 @@ class LevelLines {
 
   /// The half-edge by which a line enters the face; kNone where none does.
   HalfEdge entry_of(uint32_t face) const {
-    for (const HalfEdge h : mesh_.corners(face)) {
-      if (above(mesh_.from(h)) && !above(mesh_.to(h))) return h;
+    const std::array<HalfEdge, 3> corners = mesh_.corners(face);
+    std::array<bool, 3> to_above;
+    for (size_t k = 0; k < 3; ++k) to_above[k] = above(mesh_.to(corners[k]));
+    for (size_t k = 0; k < 3; ++k) {
+      if (to_above[(k + 2) % 3] && !to_above[k]) return corners[k];
     }
     return kNone;
   }
