@@ -232,8 +232,10 @@ def test_the_menu_has_every_operator():
         # The same verbs as on the buttons, which have their operators' own labels.
         own = {text for idname, text, _given in called if idname != "meander.run"}
         assert own == {None}
-        # What goes on with a run that was stopped stands there only when there is one.
+        # What goes on with a run that was stopped stands there only when there is one, and a
+        # variation is chosen by its picture.
         of_panels = {"live", "ask_run", "ask_draw", "use_preset", "add_preset", "resume"}
+        of_panels.add("use_variation")
         operators = {f"meander.{name}" for name in set(dir(bpy.ops.meander)) - of_panels}
         assert {idname for idname, _text, _given in called} == operators
         return [(text, vars(given)) for idname, text, given in called if idname == "meander.run"]
