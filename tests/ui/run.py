@@ -106,7 +106,8 @@ def run_to_the_end() -> Generator[float, None, dict]:
     assert look.radius_of(result) > 0.0
     assert result.meander.figures.stop_reason == "converged", result.meander.figures.stop_reason
     assert all(spline.use_cyclic_u for spline in result.data.splines)
-    assert set(bpy.data.curves.keys()) == {result.data.name}
+    drawn = f"{result.name} Round"  # what its look draws
+    assert set(bpy.data.curves.keys()) == {result.data.name, drawn}
     yield from assert_no_timer()
     return before
 
