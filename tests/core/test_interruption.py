@@ -106,8 +106,10 @@ CALLS = {
     "strokes": "surface.extended_directions([[0.1, 0.1, 0], [0.9, 0.2, 0]], [0, 2])",
     "closest": "surface.find_closest(np.random.default_rng(1).random((300000, 3)))",
     "faults": "core.find_faults(mesh.vertices, mesh.faces, 1e-4)",
-    "opened": "problem.open_flow(problem.Problem(mesh.vertices, mesh.faces, options))",
 }
+
+# What makes several calls, and may hear it between two of them.
+SEVERAL = {"opened": "problem.open_flow(problem.Problem(mesh.vertices, mesh.faces, options))"}
 
 # Calls that nothing can cancel: they go on alone, and the flow waits for them.
 ALONE = {
@@ -186,6 +188,10 @@ def test_an_interruption_from_the_keyboard_cancels_what_lasts():
     said = said_by_calls(CALLS)
     cancelled = ["interrupted", str(int(core.Status.CANCELLED))]
     assert {name: said[name] for name in CALLS if said[name] != cancelled} == {}
+
+
+def test_what_makes_several_calls_is_interrupted():
+    assert said_by_calls(SEVERAL)["opened"][0] == "interrupted"
 
 
 def test_what_nothing_can_cancel_goes_on_alone_after_an_interruption():

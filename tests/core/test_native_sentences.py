@@ -80,6 +80,7 @@ def pools(surface: int, flow: int, running: int) -> dict[str, list[Any]]:
         "density_count": [0, count],
         "kind": [0, 77], "curvature": [0, 77], "alignment": [0, 77],
         "smoothing": [0.0, -1.0, np.nan], "weld_distance": [0.0, -1.0],
+        "tolerance": [0.02, -1.0, np.nan],
         "distance": [0.1, -1.0], "spacing": [0.2, -1.0, np.nan], "detail": [0.0, -1.0],
         "radius": [0.1, -1.0, 99.0], "least_size": [0.0], "middle_lines": [0], "index": [0],
         "text": [b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", None],
@@ -376,8 +377,8 @@ def tried() -> list[str]:
         {"line_strands": cut.line_strands + 2**31},
     ):
         bad = replace(cut, **wrong)
-        refused(lambda bad=bad: core.cut_distances(bad, 0.2, place, weights))
-    refused(lambda: core.cut_distances(cut, 0.2, place + len(cut.faces), weights))
+        refused(lambda bad=bad: core.cut_places(bad, 0.2, place, weights))
+    refused(lambda: core.cut_places(cut, 0.2, place + len(cut.faces), weights))
     for text in (b"v 0 0\n", b"v 0 0 0\nf 1 2 x\n"):
         refused(lambda text=text: files.read_polygons(text, abi.Text.OBJ_FACES))
     refused(lambda: files.read_polygons(b"vertex 0 0 0\nvertex 1 0 0\n", abi.Text.STL))

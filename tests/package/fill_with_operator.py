@@ -84,11 +84,11 @@ def main(report: str) -> None:
     bpy.context.view_layer.objects.active = surface
     surface.meander.seed = seed
     surface.meander.spacing = SPACING
-    before = set(bpy.data.objects)
+    before = set(bpy.context.scene.objects)
     result = bpy.ops.meander.run()
     if result != {"FINISHED"}:
         raise SystemExit(f"the operator returned {result}")
-    (curve,) = set(bpy.data.objects) - before
+    (curve,) = set(bpy.context.scene.objects) - before
 
     stitches = Path(report).with_suffix(".dst")
     if bpy.ops.meander.export_toolpath(filepath=str(stitches), size=60.0) != {"FINISHED"}:

@@ -164,7 +164,8 @@ def leaving_by_tab() -> Iterator[float]:
     yield from until(lambda: bpy.context.view_layer.objects.active == surface(), "the surface")
     assert surface().select_get()
     assert surface().meander.seed.name == seed, "nothing was drawn"
-    assert sum(thing.name.startswith("Sphere Seed") for thing in bpy.data.objects) == 2
+    things = bpy.context.scene.objects
+    assert sum(thing.name.startswith("Sphere Seed") for thing in things) == 2
     with bpy.context.temp_override(**window_override()):
         bpy.context.view_layer.objects.active = surface().meander.seed
         bpy.ops.object.mode_set(mode="EDIT")
@@ -175,7 +176,8 @@ def leaving_by_tab() -> Iterator[float]:
     for redo in (False, False, True, True):
         yield from undone(redo)
     assert surface().meander.seed.name == seed
-    assert sum(thing.name.startswith("Sphere Seed") for thing in bpy.data.objects) == 2
+    things = bpy.context.scene.objects
+    assert sum(thing.name.startswith("Sphere Seed") for thing in things) == 2
 
 
 def undone(redo: bool) -> Iterator[float]:
