@@ -211,8 +211,13 @@ test("a run is paused, goes on, and is stopped by Esc", async () => {
   await page.waitForTimeout(300);
   await running();
   await page.locator("#pause").click();
-  await page.waitForTimeout(300); // of a step that went on
-  const paused = await state();
+  let paused = await state(); // a step that went on ends first
+  for (let again = 0; again < 40; again++) {
+    await page.waitForTimeout(300);
+    const now = await state();
+    if (JSON.stringify(now) === JSON.stringify(paused) && now.run === "paused") break;
+    paused = now;
+  }
   await page.waitForTimeout(300);
   assert.deepEqual(await state(), paused);
   assert.equal(paused.run, "paused");
