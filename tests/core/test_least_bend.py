@@ -11,6 +11,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch
+from meander.model.least_bend import LOOSER_WHERE_STIFF
 
 SPACING = 0.08
 
@@ -71,6 +72,12 @@ def test_the_radius_holds(sheet: Path, capsys) -> None:
     assert report["options"]["bending"] > float(tries[-1])
     assert report["options"]["least_bend_radius"] == asked
     assert report["crossings"] == 0
+
+
+def test_stiffness_widens_by_the_power_that_the_library_makes_up_for() -> None:
+    constants = Path(__file__).parents[2] / "native/src/flow/constants.h"
+    (power,) = re.findall(r"kLooserWhereStiff = 1\.0 / (\d+)", constants.read_text())
+    assert pytest.approx(1.0 / int(power)) == LOOSER_WHERE_STIFF
 
 
 def test_what_holds_anyway_stays_as_it_is(sheet: Path) -> None:

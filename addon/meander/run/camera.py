@@ -55,8 +55,6 @@ _LONGEST, _SHORTEST = 0.25, 0.5
 _LIFT = 0.01
 # Points are left out that change the line by less.
 _TOLERANCE = 0.01
-
-
 # Densities of one surface vary by no more (meander.h).
 _MOST_RATIO = 1e4
 
@@ -374,9 +372,9 @@ class PaperSpacing:
         """By the distance from the camera, and what the surface has of its own, within what the
         library takes."""
         by_distance = (spacing / self._spacing_at(mesh.vertices)) ** 2
-        of_its_own = 1.0 if mesh.values is None else np.ptp(mesh.values) / mesh.values.min() + 1.0
-        least = by_distance.max() * of_its_own / _MOST_RATIO
-        least = min(least, by_distance.max())
+        most = by_distance.max()
+        of_its_own = 1.0 if mesh.values is None else mesh.values.max() / mesh.values.min()
+        least = most * min(1.0, of_its_own / _MOST_RATIO)
         if by_distance.min() < least:
             self.closer.append(
                 f"'{name}' reaches from very near to very far away; its far end is drawn closer "

@@ -1422,7 +1422,7 @@ MEANDER_API meander_status meander_flow_compute_point_data(meander_flow* flow, m
  * bends by at edges of the mesh; between two points it may lie .012 of a spacing off the surface's faces.
  *
  * tolerance    how far any place of the line may be from the curve along the surface, as a share of the local
- *              spacing, from 0 to .5; 0: as far as the curve is from itself, so that only points are left out
+ *              spacing, from 0 to .5; 0: the curve itself, of which points are left out
  * polylines    prepared by meander_polylines_init; receives the line
  * point_data   prepared by meander_point_data_init; receives the data of its points, all of them; or NULL.
  *              The radii are those of the curve beside

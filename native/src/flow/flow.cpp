@@ -23,7 +23,9 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
   return {{std::move(curve), {}, {}}, settings, std::move(domain), {settings.full_start, {}, 0}};
 }
 
-/// What was asked for, or where nothing was drawn and it would be laid in the end all the same.
+/// Whether a curve is laid first: that was asked for, or nothing was drawn and growth would leave so much that it is
+/// laid in the end all the same. Not in the paper's own program, nor where so wide a strip along the boundary is to
+/// stay empty that a narrow surface has hardly anything to fill.
 bool begins_full(const FlowSettings& settings, const Domain& domain, size_t drawn) {
   if (settings.full_start) return true;
   return drawn == 0 && settings.stop_rule != StopRule::kPaper && settings.boundary_distance <= 0.5 &&
