@@ -20,7 +20,7 @@ from meander import core
 from meander.model.bundle import read_bundle
 from meander.model.files import obj
 from meander.model.files.whole import FileError
-from meander.model.problem import open_flow
+from meander.model.opening import open_flow
 
 
 def main() -> int:

@@ -20,7 +20,8 @@ from meander import batch, core
 from meander.model import bundle
 from meander.model.files import obj
 from meander.model.files.whole import FileError
-from meander.model.problem import Problem, open_flow
+from meander.model.opening import open_flow
+from meander.model.problem import Problem
 
 SENTENCE = "In iteration 8 a point would have left its face; please report this."
 BROKEN = core.MeanderError(SENTENCE, core.Status.INTERNAL)

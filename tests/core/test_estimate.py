@@ -16,8 +16,8 @@ import pytest
 from conftest import PACKAGE
 from meander import core
 from meander.model.estimate import Estimate, Speeds, cost_of, described, estimated, extent_of
+from meander.model.geometry.reflection import mirror_of
 from meander.model.mirror import halved
-from meander.model.mirror_images import mirror_of
 from meander.model.problem import Problem
 
 # What is shown is rounded to two digits; nobody decides anything by a tenth.

@@ -16,7 +16,8 @@ import pytest
 from conftest import PACKAGE
 from meander import core
 from meander.binding.interruption import heard
-from meander.model.problem import Problem, open_flow
+from meander.model.opening import open_flow
+from meander.model.problem import Problem
 
 # However slow the machine is; what waits for so long has hung.
 _PATIENCE = 60.0
@@ -109,7 +110,7 @@ CALLS = {
 }
 
 # What makes several calls, and may hear it between two of them.
-SEVERAL = {"opened": "problem.open_flow(problem.Problem(mesh.vertices, mesh.faces, options))"}
+SEVERAL = {"opened": "opening.open_flow(problem.Problem(mesh.vertices, mesh.faces, options))"}
 
 # Calls that nothing can cancel: they go on alone, and the flow waits for them.
 ALONE = {
@@ -126,7 +127,7 @@ import numpy as np
 import geometry
 from meander import core
 from meander.binding import files, flow as flows, native_library
-from meander.model import problem
+from meander.model import opening, problem
 
 armed, ended = [], []
 real = native_library.heard

@@ -13,9 +13,10 @@ import numpy as np
 import pytest
 from meander import batch, core
 from meander.model.geometry.half_mesh import above, section
-from meander.model.mirror_images import Mirror, mirror_of
+from meander.model.geometry.reflection import Mirror, mirror_of
 from meander.model.mirror_whole import whole_of
-from meander.model.problem import Problem, open_flow
+from meander.model.opening import open_flow
+from meander.model.problem import Problem
 from sentences import assert_sentence
 
 

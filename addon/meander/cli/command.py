@@ -18,8 +18,8 @@ from ..model.empty import Empty, empty_of, narrow_remark, remark
 from ..model.files import meshes
 from ..model.files.whole import FileError
 from ..model.least_bend import sharpest_bend
+from ..model.opening import Opened, open_flow
 from ..model.preparation import described
-from ..model.problem import Opened, open_flow
 from ..model.toolpaths import bridges
 from . import cut, least_bend, limits, maps, mirror, preparation, spacing, standard, target_length
 from .arguments import check_arguments, parsed

@@ -14,8 +14,9 @@ from .. import core
 from ..model import strands
 from ..model.geometry import thinning
 from ..model.geometry.simplification import Light, light_points
+from ..model.opening import Opened
 from ..model.options.input import light_of
-from ..model.problem import Opened, Problem
+from ..model.problem import Problem
 from ..model.toolpaths import bridges, toolpath
 from . import flags
 

@@ -8,7 +8,7 @@ import argparse
 from .. import core
 from ..model import strands
 from ..model.least_bend import Bend, Stiffening, sharpest_bend
-from ..model.problem import Opened
+from ..model.opening import Opened
 from .place import Place
 from .values import BadInput
 from .watching import run

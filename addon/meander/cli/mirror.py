@@ -9,9 +9,10 @@ from contextlib import contextmanager
 from typing import Any
 
 from .. import core
-from ..model.mirror_images import mirror_of
+from ..model.geometry.reflection import mirror_of
 from ..model.mirror_whole import whole_of
-from ..model.problem import Opened, Problem
+from ..model.opening import Opened
+from ..model.problem import Problem
 
 OFF = "none"
 

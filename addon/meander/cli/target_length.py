@@ -10,7 +10,7 @@ from collections.abc import Callable
 import numpy as np
 
 from .. import core
-from ..model.problem import open_flow
+from ..model.opening import open_flow
 from . import limits
 from .place import Place
 from .reading import read_input

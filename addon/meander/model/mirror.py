@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,10 +20,9 @@ from .. import core
 from .estimate import cost_of
 from .field import evaluated
 from .geometry.half_mesh import HalfMesh, above
-from .mirror_images import Images, Mirror, images_of
-
-if TYPE_CHECKING:
-    from .problem import Problem
+from .geometry.reflection import Mirror
+from .mirror_images import Images, images_of
+from .problem import Problem
 
 # So far from the plane the half ends, in spacings: nothing on its boundary meets its own image.
 _INSET = 0.01
@@ -89,7 +88,7 @@ def halved(
     context: core.Context | None = None,
     accept: Callable[[core.Cost], None] | None = None,
 ) -> Half:
-    """The half of a problem with a mirror; see problem.open_flow().
+    """The half of a problem with a mirror; see opening.open_flow().
 
     Raises core.MeanderError with one sentence for a surface that is not its own mirror image, and
     for what does not go with symmetry.

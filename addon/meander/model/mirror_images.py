@@ -1,71 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The plane of symmetry, and where the mirror images of a surface's vertices lie on it: whether it
-is its own mirror image, and what is known of one half, on both. numpy only, no bpy."""
+"""Where the mirror images of a surface's vertices lie on it: whether it is its own mirror image,
+and what is known of one half, on both. numpy only, no bpy."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from .. import core
-
-if TYPE_CHECKING:
-    from .problem import Problem
-
-AXES = ("x", "y", "z")
-
-
-@dataclass(frozen=True)
-class Mirror:
-    """The plane through an object's origin that one of its own axes stands on.
-
-    axis       one of AXES
-    origin     (3,), in the space of the surface's vertices
-    normal     (3,), unit, there; it points to the axis' positive side
-    to_object  (4, 4), from there to the object's own space, in which places are told
-    """
-
-    axis: str
-    origin: NDArray[np.float64]
-    normal: NDArray[np.float64]
-    to_object: NDArray[np.float64]
-
-    def heights(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """How far points (n, 3) are above the plane: (n,)."""
-        return (points - self.origin) @ self.normal
-
-    def images(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The mirror images of points (n, 3)."""
-        return points - 2.0 * np.outer(self.heights(points), self.normal)
-
-    def turned(self, vectors: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The mirror images of vectors (n, 3)."""
-        return vectors - 2.0 * np.outer(vectors @ self.normal, self.normal)
-
-    def polylines(self, curve: core.Polylines) -> core.Polylines:
-        """A curve and its mirror image, strand by strand, as a run is shown."""
-        count = len(curve.positions)
-        return core.Polylines(
-            np.vstack([curve.positions, self.images(curve.positions)]),
-            np.vstack([curve.normals, self.turned(curve.normals)]),
-            np.concatenate([curve.offsets, curve.offsets[1:] + count]).astype(np.uint32),
-            np.tile(curve.closed, 2),
-        )
-
-
-def mirror_of(axis: str, matrix: ArrayLike | None = None) -> Mirror:
-    """The plane of an axis, one of AXES.
-
-    matrix   (4, 4), from the object's space to that of the surface's vertices; None: they are one
-    """
-    to_world = np.eye(4) if matrix is None else np.asarray(matrix, dtype=np.float64)
-    to_object = np.linalg.inv(to_world)
-    normal = to_object[AXES.index(axis), :3]  # normals go by the transposed inverse
-    return Mirror(axis, to_world[:3, 3].copy(), normal / np.linalg.norm(normal), to_object)
-
+from .geometry.reflection import AXES, Mirror
+from .problem import Problem
 
 # How far the mirror image of a surface may lie beside the surface, in spacings.
 _TOLERANCE = 0.1

@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 from .. import core
 from .geometry.bridge_places import Strand
 from .geometry.half_mesh import section
+from .geometry.reflection import Mirror
 from .geometry.thinning import kept_points, with_points
 from .mirror import Half, at_rest
-from .mirror_images import Mirror
 
 # A strand runs beside the plane where it is at most so many spacings from it; it is half of one
 # away where the surface is filled well.

@@ -1,19 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a run solves, as arrays and options, and the flow made of it; no bpy."""
+"""What a run solves, as arrays and options; no bpy."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 
 from .. import core
-from .field import FieldOn, evaluated
-from .mirror import Half, halved
-from .mirror_images import Mirror
-from .preparation import outlined
+from .field import FieldOn
+from .geometry.reflection import Mirror
 
 
 @dataclass
@@ -37,27 +33,6 @@ class Problem:
     mirror: Mirror | None = None  # one half is filled, and the other is its mirror image
 
 
-@dataclass(frozen=True)
-class Opened:
-    """A flow before its first iteration, and what was found while it was made.
-
-    flow      the caller closes it; of a problem with a mirror it is that of the half
-    density   per vertex; None: 1 everywhere
-    cost      that the run was expected to have; None: nobody asked
-    problem   the one that was opened, with density and directions as they were found
-    figures   of core.Surface.statistics(), and "skipped_outlines" where outlines were wanted
-    half      what a whole is made of, by mirror_whole.whole_of(); None: there is no mirror.
-              Density, cost and figures are of the whole surface, `problem` is that of the half
-    """
-
-    flow: core.Flow
-    density: np.ndarray | None
-    figures: dict[str, Any]
-    problem: Problem
-    cost: core.Cost | None = None
-    half: Half | None = None
-
-
 def begin_along_directions(problem: Problem) -> None:
     """What a start that was left to the rest is: full along directions where nothing drawn grows.
 
@@ -69,49 +44,3 @@ def begin_along_directions(problem: Problem) -> None:
     directed = problem.directions is not None and options.alignment_weight > 0
     if directed and not drawn and options.polish and options.start_spacing_factor == 1:
         options.start = core.Start.FULL
-
-
-def open_flow(
-    problem: Problem,
-    context: core.Context | None = None,
-    accept: Callable[[core.Cost], None] | None = None,
-) -> Opened:
-    """Makes surface, density, outlines, flow and directions of a problem, in this order.
-
-    The one place where a run begins: the operator, the batch command and the followers of surfaces
-    in motion all come through here. Raises core.MeanderError, of the status CANCELLED where
-    `context` has been cancelled meanwhile.
-
-    accept   is told what the run is expected to cost, before there is any curve, and raises what it
-             likes where that is too much
-    """
-    if problem.mirror is not None:
-        half = halved(problem, context, accept)
-        opened = open_flow(half.problem, context)
-        return replace(
-            opened, density=half.density, figures=half.figures, cost=half.cost, half=half
-        )
-    options, cost = problem.options, None
-    with core.Surface(
-        problem.vertices, problem.faces, problem.surface_options, options.threads, context
-    ) as surface:
-        figures = surface.statistics()
-        density = evaluated(problem.density, surface, context)
-        if accept is not None:
-            cost = core.estimate_cost(surface.extent(density), options)
-            accept(cost)
-        seed = problem.seed
-        if problem.outline:
-            spacing = 2.0 * options.radius
-            seed, skipped = outlined(seed, surface, problem.outline, spacing, context)
-            figures["skipped_outlines"] = skipped
-        flow = core.Flow(surface, options, seed, density, context)
-        try:
-            directions = evaluated(problem.directions, surface, context)
-            if directions is not None:
-                flow.set_directions(directions, problem.alignment)
-        except BaseException:
-            flow.close()
-            raise
-    found = replace(problem, density=density, directions=directions)
-    return Opened(flow, density, figures, found, cost)

@@ -8,7 +8,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from .. import core
-from .problem import Problem, open_flow
+from .opening import open_flow
+from .problem import Problem
 
 # A run ends where its curve fills the surface and is about to be made even: after so many steps
 # grown, and from a full start.

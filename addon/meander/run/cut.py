@@ -10,7 +10,7 @@ import numpy as np
 
 from .. import core
 from ..model import cut as cuts
-from ..model.problem import open_flow
+from ..model.opening import open_flow
 from ..scene.cut import Skin, keep_shading, skin_of, write_cut
 from ..scene.errors import DataError
 from .plan import Plan, plan_of

@@ -18,7 +18,8 @@ from .. import core
 from ..model import strands
 from ..model.geometry.simplification import result_points
 from ..model.geometry.thinning import least_spacing, with_points
-from ..model.problem import Problem, open_flow
+from ..model.opening import open_flow
+from ..model.problem import Problem
 from ..model.profile import radius_factors
 from ..scene import bake
 from ..scene.curve_reader import strands_of_curve

@@ -14,8 +14,8 @@ import numpy as np
 
 from .. import core
 from ..model import strands
+from ..model.geometry.reflection import mirror_of
 from ..model.geometry.simplification import Light
-from ..model.mirror_images import mirror_of
 from ..model.options.input import light_of
 from ..model.options.option import OF_PRESET, as_typed, chosen
 from ..model.options.table import in_panel

@@ -11,7 +11,7 @@ import numpy as np
 from .. import core
 from ..model.geometry.simplification import result_points
 from ..model.geometry.thinning import least_spacing, with_points
-from ..model.problem import open_flow
+from ..model.opening import open_flow
 from ..model.profile import radius_factors
 from ..model.toolpaths import bridges
 from ..scene import drawn_line, results

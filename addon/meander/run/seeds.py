@@ -14,7 +14,7 @@ import numpy as np
 
 from .. import core
 from ..model import strands
-from ..model.problem import open_flow
+from ..model.opening import open_flow
 from ..scene.identity import Key
 from ..scene.lengths import length_text
 from ..scene.meshes import in_polygons

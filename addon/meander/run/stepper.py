@@ -23,7 +23,8 @@ from ..model.files.whole import FileError
 from ..model.least_bend import Stiffening, sharpest_bend
 from ..model.mirror import Half
 from ..model.mirror_whole import whole_of
-from ..model.problem import Problem, open_flow
+from ..model.opening import open_flow
+from ..model.problem import Problem
 
 # A watched run keeps its curve whenever that has grown by this share of what it is going to be, as
 # long as those copies have no more points than this, which take 100 MB.
