@@ -54,13 +54,10 @@ def windowed(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def nothing_kept() -> Iterator[None]:
     """Ends the run of a test, and drops what runs leave to go on from."""
-    from meander.run import live, seeds, session, suspended
+    from meander.run import lasting
 
     yield
-    session.end_current()
-    suspended.drop()
-    live.drop()
-    seeds.hide()
+    lasting.end_all()
 
 
 @pytest.fixture

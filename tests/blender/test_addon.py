@@ -11,7 +11,6 @@ from types import SimpleNamespace
 import bpy
 import meander
 from meander.run import estimate, session
-from meander.run.lasting import lasting
 from meander.run.plan import plan_run
 from meander.ui import alignment, density, look, panels, strands, terms
 from meander.ui import fill as run_operators
@@ -130,7 +129,7 @@ def test_figures_in_all_units():
 def test_panel_while_running(monkeypatch):
     cube()
     plan = plan_run(bpy.context)
-    monkeypatch.setattr(lasting, "session", session.Session(plan))
+    monkeypatch.setattr(session.running, "current", session.Session(plan))
     shown = texts_of(panels.MEANDER_PT_main)
     assert "Stop Filling" in shown and "Fill with Curve" not in shown
     assert not bpy.ops.meander.run.poll()

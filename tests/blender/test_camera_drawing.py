@@ -22,8 +22,7 @@ from mathutils import Vector
 from meander import core
 from meander.headless import camera as draw
 from meander.model.camera import PAPERS, Page
-from meander.run.camera import CameraDrawing, DrawingEstimate, Going
-from meander.run.lasting import lasting
+from meander.run.camera import CameraDrawing, DrawingEstimate, Going, going
 from meander.scene.camera import camera_page
 from meander.ui import camera as camera_operator
 from panel_layout import Layout
@@ -266,7 +265,7 @@ def test_a_drawing_that_fails_on_the_way_ends(monkeypatch: pytest.MonkeyPatch) -
     thing = scenes.sphere()
     operator = camera_operator.MEANDER_OT_draw_camera
     window = FakeWindow(bpy.context)
-    lasting.drawing = Going(SimpleNamespace(), Failing(), window)
+    going.begin(Going(SimpleNamespace(), Failing(), window))
     scenes.activate(thing)
     assert not operator.poll(bpy.context) and not bpy.ops.meander.run.poll()
     said = []
@@ -277,7 +276,7 @@ def test_a_drawing_that_fails_on_the_way_ends(monkeypatch: pytest.MonkeyPatch) -
     event = SimpleNamespace(type="TIMER", value="NOTHING")
     assert operator.modal(this, bpy.context, event) == {"CANCELLED"}
     assert said == ["There is not enough memory"]
-    assert lasting.drawing is None and window.texts == [None]
+    assert going.current is None and window.texts == [None]
     assert operator.poll(bpy.context) and bpy.ops.meander.run.poll()
 
 

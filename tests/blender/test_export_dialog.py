@@ -22,7 +22,7 @@ def result() -> bpy.types.Object:
     torus = bpy.context.active_object
     found = fill(torus, 0.3)
     yield activate(found)
-    export._refused = None
+    export._refused.end()
 
 
 def dialog(**given):

@@ -142,7 +142,7 @@ def test_live_begins_no_very_large_curve_where_nothing_is_kept(monkeypatch):
     assert bpy.ops.meander.live() == {"FINISHED"}
     # What is as large already goes on.
     monkeypatch.setattr(run_operators, "is_large", lambda estimate: True)
-    live.drop()
+    live.finished.end()
     surface.meander.spacing = 0.16
     assert bpy.ops.meander.live() == {"FINISHED"}
 

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from meander.run import gaps as gap_marks
 from meander.run import result as result_of_run
-from meander.run.lasting import lasting
 from meander.ui import gaps as gaps_operator
 from meander.ui import panels
 from meander.ui.fill import unfilled
@@ -180,7 +179,7 @@ def test_gaps_are_saved_with_the_file(tmp_path):
     assert bpy.ops.meander.show_gaps() == {"FINISHED"}
     assert gap_marks.shown_of(result)
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    assert lasting.gap_marks is None, "another file has no marks"
+    assert gap_marks.marks.current is None, "another file has no marks"
 
 
 def test_going_on_replaces_the_gaps():

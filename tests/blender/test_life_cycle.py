@@ -8,9 +8,9 @@ from collections.abc import Callable
 import bpy
 import meander
 import pytest
-from meander.run import estimate, gaps, notes
-from meander.run.lasting import Lasting, lasting
-from meander.ui import events, seeds
+from meander.run import estimate, gaps, lasting, live, motion, notes, seeds, session, suspended
+from meander.ui import events
+from meander.ui import seeds as seed_drawing
 from scenes import activate, circle_points, fill, grid, poly_curve, sphere
 from watched_runs import begin, tick_until
 
@@ -43,18 +43,18 @@ def test_many_times_registered_leaves_no_handler_behind():
 def growing() -> None:
     running = begin(sphere(), 0.05)
     tick_until(running, lambda: running.shown_points > 0)
-    assert lasting.session is running
+    assert session.current() is running
 
 
-def suspended() -> None:
+def ended() -> None:
     growing()
-    lasting.session.suspend()
-    assert lasting.suspended is not None
+    session.current().suspend()
+    assert suspended.kept.current is not None
 
 
-def live() -> None:
+def finished() -> None:
     fill(sphere(), 0.5, iteration_limit=20, live=True)
-    assert lasting.finished is not None
+    assert live.finished.current is not None
 
 
 def previewed() -> None:
@@ -62,25 +62,25 @@ def previewed() -> None:
     surface.meander.seed = poly_curve("Seed", [circle_points(0.4, 0.0)], True)
     activate(surface)
     assert bpy.ops.meander.preview_seed() == {"FINISHED"}
-    assert lasting.seed_preview is not None
+    assert seeds.preview.current is not None
 
 
 def marked() -> None:
     gaps.show(fill(sphere(), 0.3, iteration_limit=3))
-    assert lasting.gap_marks is not None
+    assert gaps.marks.current is not None
 
 
 def drawing() -> None:
     activate(grid(8))
     assert bpy.ops.meander.draw_seed() == {"FINISHED"}
-    assert seeds._drawing is not None
+    assert seed_drawing.drawn.current is not None
 
 
 def following() -> None:
     result = fill(sphere(), 0.5, iteration_limit=20)
     result.meander.follow = True
     bpy.context.scene.frame_set(2)
-    assert [name for _, name in meander.run.motion._followers] == [result.name_full]
+    assert [name for _, name in motion._followers] == [result.name_full]
 
 
 def noted() -> None:
@@ -90,14 +90,11 @@ def noted() -> None:
     assert notes.of(surface) and estimate._measured
 
 
-STATES = (growing, suspended, live, previewed, marked, drawing, following, noted)
+STATES = (growing, ended, finished, previewed, marked, drawing, following, noted)
 
 
 def nothing_lasts() -> None:
-    left = {name: value for name, value in vars(lasting).items() if value}
-    assert left == {} and vars(lasting).keys() == vars(Lasting()).keys()
-    assert seeds._drawing is None
-    assert not meander.run.motion._followers and not notes._notes and not estimate._measured
+    assert [one for one in lasting._all if one.lasts] == []
 
 
 @pytest.mark.parametrize("state", STATES)

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from meander.model.estimate import in_words
 from meander.run import estimate, live, session, suspended
-from meander.run.lasting import lasting
 from meander.run.plan import Plan
 from scenes import activate, counts, fill, grid, length_of, sphere, world_splines
 from watched_runs import begin, tick_until
@@ -94,13 +93,13 @@ def test_points_edited_by_hand_and_other_shapes_are_gone_on_from_as_they_are():
     surface = grid()
     result = fill(surface, spacing=SPACING, live=True)
     activate(result)
-    kept = lasting.finished.run.stepper
+    kept = live.finished.current.run.stepper
     result.data.splines[0].points[0].co.x += 0.01
     depsgraph = bpy.context.evaluated_depsgraph_get()
     assert live.taken(result, depsgraph) is None
     # Where there is no flow any more, the curve goes on from its points, also from the mesh.
     for active, spacing in ((surface, 0.9 * SPACING), (result, SPACING)):
-        live.drop()
+        live.finished.end()
         activate(active)
         active.meander.spacing = spacing
         before = counts()
@@ -109,7 +108,7 @@ def test_points_edited_by_hand_and_other_shapes_are_gone_on_from_as_they_are():
         assert bpy.context.view_layer.objects.active == active
         assert result.meander.figures.spacing_median == pytest.approx(spacing, rel=0.1)
     result = fill(surface, spacing=SPACING, live=True)
-    assert lasting.finished.run.stepper is not kept
+    assert live.finished.current.run.stepper is not kept
     surface.data.vertices[0].co.x += 0.01
     surface.data.update_tag()
     assert live.taken(surface, bpy.context.evaluated_depsgraph_get()) is None

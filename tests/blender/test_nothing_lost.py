@@ -14,7 +14,6 @@ import numpy as np
 import pytest
 from meander import core
 from meander.run import session, suspended
-from meander.run.lasting import lasting
 from meander.run.plan import plan_run
 from scenes import activate, counts, fill, grid, sphere, world_splines
 from watched_runs import begin, tick_until
@@ -436,7 +435,7 @@ def test_another_run_and_another_file_take_resume_away():
     activate(surface)
     suspend_early(surface, LONG)
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    assert lasting.suspended is None
+    assert suspended.kept.current is None
 
 
 def test_resume_is_for_its_own_object():

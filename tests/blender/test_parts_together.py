@@ -62,7 +62,7 @@ def test_what_live_cannot_take_leaves_its_timer_alive():
     result = fill(surface, SPACING, live=True)
     before = point_count(result)
     activate(surface)
-    live.drop()  # as after a file has been opened: the curve goes on from its points
+    live.finished.end()  # as after a file has been opened: the curve goes on from its points
     windows = bpy.context.window_manager.windows
     live_operator._look_at(windows)
     surface.meander.density_source = "ATTRIBUTE"
@@ -148,7 +148,7 @@ def test_live_stays_on_the_faces_that_were_filled_in_edit_mode():
     result = surface.meander.last_result
     for spacing, kept in ((0.25, True), (0.3, False)):
         if not kept:
-            live.drop()
+            live.finished.end()
         activate(surface)
         surface.meander.spacing = spacing
         assert bpy.ops.meander.live() == {"FINISHED"}

@@ -199,7 +199,7 @@ def test_strokes_are_shown_and_what_a_run_would_refuse_is_said():
     """What a timer asks for in a window."""
     surface = grid(8)
     assert bpy.ops.meander.draw_seed() == {"FINISHED"}
-    drawing, curve = seed_drawing._drawing, surface.meander.seed
+    drawing, curve = seed_drawing.drawn.current, surface.meander.seed
     for turn, shown in ((0.0, True), (1.0, False)):
         bpy.ops.curve.primitive_bezier_curve_add(radius=0.4, rotation=(0.0, 0.0, turn))
         seed_drawing._show_strokes(drawing, curve)

@@ -4,11 +4,15 @@ feature are called."""
 
 from __future__ import annotations
 
+import ast
+import graphlib
 import os
 import re
 import shutil
 import subprocess
 from pathlib import Path
+
+import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 OF_ROOMS = "A room uses only the rooms below it"
@@ -150,3 +154,46 @@ def test_a_second_file_of_a_feature_is_found(tmp_path: Path) -> None:
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).touch()
     assert smeared(tmp_path) == {"ui/seed_drawing.py"}
+
+
+def imports_of(addon: Path) -> dict[str, set[str]]:
+    """What each file of the package imports of the others, for types as well, by dotted names."""
+    names = {}
+    for path in addon.rglob("*.py"):
+        dotted = ".".join(path.relative_to(addon.parent).with_suffix("").parts)
+        names[dotted.removesuffix(".__init__")] = path
+    found: dict[str, set[str]] = {name: set() for name in names}
+    for name, path in names.items():
+        room = name if path.name == "__init__.py" else name.rpartition(".")[0]
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if not isinstance(node, ast.ImportFrom) or not node.level:
+                continue
+            parts = room.split(".")
+            above = ".".join((*parts[: len(parts) - node.level + 1], *filter(None, [node.module])))
+            for each in node.names:
+                module = f"{above}.{each.name}"
+                found[name].add(module if module in names else above)
+    # The package's own file lets everything in, and is let in by everything.
+    root = addon.name
+    return {name: own - {root} for name, own in found.items() if name != root}
+
+
+def test_no_files_import_one_another_in_a_circle(tmp_path: Path) -> None:
+    graphlib.TopologicalSorter(imports_of(ROOT / "addon/meander")).prepare()
+    package = tmp_path / "meander"
+    shutil.copytree(ROOT / "addon/meander", package, ignore=shutil.ignore_patterns("native"))
+    late = package / "run/lasting.py"
+    late.write_text(late.read_text() + "\nif TYPE_CHECKING:\n    from .session import Session\n")
+    with pytest.raises(graphlib.CycleError, match="meander.run.session"):
+        graphlib.TopologicalSorter(imports_of(package)).prepare()
+
+
+def test_few_functions_set_what_is_global() -> None:
+    """What lasts between two events of `run` and `ui` is kept as run.lasting says."""
+    setting = [
+        path.relative_to(ROOT / "addon/meander").parts[0]
+        for path in (ROOT / "addon/meander").rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Global)
+    ]
+    assert set(setting) <= {"binding", "scene"} and len(setting) <= 5

@@ -8,7 +8,7 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator
 
 import bpy
-from meander.run.lasting import lasting
+from meander.run import camera as drawings
 from meander.ui import camera as camera_operator
 from stage import (
     PICTURES,
@@ -50,7 +50,7 @@ def chosen(name: str, spacing: float) -> Iterator[float]:
 
 
 def going() -> bool:
-    return lasting.drawing is not None
+    return drawings.going.current is not None
 
 
 def nothing_is_left() -> Iterator[float]:

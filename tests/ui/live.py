@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import bpy
-from meander.run import session, suspended
-from meander.run.lasting import lasting
+from meander.run import live, session, suspended
+from meander.ui import live as live_operator
 from stage import (
     IN_VIEW,
     RESULT,
@@ -42,8 +42,8 @@ def choose(thing: bpy.types.Object, setting: str, value: object) -> None:
 
 def looked() -> Iterator[float]:
     """Until the timer has noted what the settings ask for; no user is quicker."""
-    lasting.looked_at.clear()
-    yield from until(lambda: bool(lasting.looked_at), "the timer looks")
+    live_operator._looked_at.clear()
+    yield from until(lambda: bool(live_operator._looked_at), "the timer looks")
 
 
 def follows() -> Iterator[float]:
@@ -110,7 +110,7 @@ def after_a_run() -> Iterator[float]:
     assert splines_of(RESULT) == second
     yield 0.4
     assert ended()
-    suspended.drop()
+    suspended.kept.end()
 
 
 def in_a_second_window() -> Iterator[float]:
@@ -206,6 +206,6 @@ def story() -> Iterator[float]:
     yield from while_painting()
     step("Live off gives the flow back")
     choose(bpy.data.objects[SURFACE], "live", False)
-    yield from until(lambda: lasting.finished is None, "the flow given back")
+    yield from until(lambda: live.finished.current is None, "the flow given back")
     assert session.current() is None
     assert_nothing_left_over()

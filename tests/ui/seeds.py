@@ -66,7 +66,7 @@ def tool() -> str | None:
 
 
 def drawing_panel_says() -> str:
-    return seed_drawing._drawing.problem
+    return seed_drawing.drawn.current.problem
 
 
 def surface() -> bpy.types.Object:

@@ -25,7 +25,7 @@ import numpy as np
 import processor_time
 from meander import core
 from meander.run import pace, plan, session
-from meander.run.lasting import lasting
+from meander.run.lasting import why_busy
 from meander.ui import panels
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -285,7 +285,7 @@ def assert_no_python_thread() -> None:
 
 def assert_nothing_left_over() -> None:
     """Of a run or a drawing that has ended."""
-    assert session.current() is None and lasting.drawing is None
+    assert why_busy() is None
     assert last_session is None or last_session.stepper.finished
     assert_no_python_thread()
     assert not status_texts or status_texts[-1] is None, status_texts[-3:]

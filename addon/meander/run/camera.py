@@ -44,7 +44,7 @@ from ..scene.rendered import whatever_it_costs
 from ..scene.settings import is_untouched
 from ..scene.visible import seen_parts
 from . import estimate
-from .lasting import lasting
+from .lasting import Activity
 from .stepper import Stepper
 from .window import Window
 
@@ -84,11 +84,13 @@ class Going:
 
     def end(self) -> None:
         """Gives back what it has borrowed; a run that is going on ends."""
-        lasting.drawing = None
         if self.stepper is not None:
             self.stepper.cancel()
             self.stepper.join()
         self.window.give_back()
+
+
+going: Activity[Going] = Activity(Going.end, busy="A drawing is being made already")
 
 
 class CameraDrawing:

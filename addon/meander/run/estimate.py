@@ -26,6 +26,7 @@ from ..scene.meshes import triangles_of
 from ..scene.options import options_of
 from ..scene.preparation import mask_of, repair_of, surface_options
 from ..scene.settings import is_untouched, surface_of
+from .lasting import Memory
 from .meaning import Meaning, meaning_of
 from .plan import Plan
 from .window import redraw
@@ -46,11 +47,16 @@ class _Measured:
 
 
 # By the number of the object whose settings count: at most _MOST, the newest last.
-_measured: dict[int, _Measured] = {}
+_measured: Memory[int, _Measured] = Memory()
 _MOST = 256
-# What is to be measured.
-_ordered: list[Key] = []
-_next = 0.0  # when the next measuring may begin
+# What is to be measured, by the number of the object, the first ordered first.
+_ordered: Memory[int, Key] = Memory()
+
+
+class _Pause:
+    """Between two measurings, so that they take no more than their share of the time."""
+
+    until = 0.0  # by time.perf_counter()
 
 
 def shown(objects: list[bpy.types.Object]) -> Estimate | None:
@@ -126,29 +132,27 @@ def extent_of_problem(problem: Problem) -> core.Extent:
 
 
 def _order(active: bpy.types.Object) -> None:
-    if not any(key.find() == active for key in _ordered):
-        _ordered.append(Key(active))
+    _ordered.setdefault(number_of(active), Key(active))
     if not bpy.app.background and not bpy.app.timers.is_registered(measure_ordered):
-        wait = max(0.0, _next - time.perf_counter())
+        wait = max(0.0, _Pause.until - time.perf_counter())
         bpy.app.timers.register(measure_ordered, first_interval=wait)
 
 
 def measure_ordered() -> float | None:
     """Measures one of what is ordered, if it is still selected; the rest at its next call."""
-    global _next
     begin = time.perf_counter()
     view_layer = bpy.context.view_layer
     while _ordered:
-        thing = _ordered.pop(0).find()
+        thing = _ordered.pop(next(iter(_ordered))).find()
         if thing is None or view_layer.objects.get(thing.name) != thing:
             continue
         if thing == view_layer.objects.active or thing.select_get():
             measure(thing)
             break
     end = time.perf_counter()
-    _next = end + (end - begin) / _SHARE
+    _Pause.until = end + (end - begin) / _SHARE
     redraw("UI")
-    return _next - end if _ordered else None
+    return _Pause.until - end if _ordered else None
 
 
 def measure(active: bpy.types.Object) -> None:
@@ -185,9 +189,3 @@ def _extent(vertices, faces, density, prepared, options) -> core.Extent:
             share = surface.statistics()["area"] / core.area_of(vertices, faces)
             density = evaluated(density, surface)
     return extent_of(vertices, faces, density, share)
-
-
-def forget() -> None:
-    """Forgets all that was measured and ordered, as in another file."""
-    _measured.clear()
-    _ordered.clear()

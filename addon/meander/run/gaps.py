@@ -20,7 +20,7 @@ from ..scene.results import made_spacing
 from ..scene.settings import surface_of
 from ..scene.transforms import to_world, world_matrix
 from . import session
-from .lasting import lasting
+from .lasting import Activity
 from .window import redraw
 
 _COLOR = (1.0, 0.2, 0.05)
@@ -74,6 +74,7 @@ class Marks:
 
     def remove(self) -> None:
         bpy.types.SpaceView3D.draw_handler_remove(self._handler, "WINDOW")
+        redraw("WINDOW", "UI")
 
     def _draw(self) -> None:
         context = bpy.context
@@ -107,21 +108,21 @@ class Marks:
         gpu.state.blend_set(blend)
 
 
+# Of one result at a time.
+marks: Activity[Marks] = Activity(Marks.remove)
+
+
 def show(result: bpy.types.Object) -> None:
     """Draws the rings of a result from now on, instead of another's."""
-    hide()
-    lasting.gap_marks = Marks(result)
+    marks.begin(Marks(result))
     redraw("WINDOW", "UI")
 
 
 def hide() -> None:
     """Draws no more. May be called at any time."""
-    if lasting.gap_marks is not None:
-        lasting.gap_marks.remove()
-        lasting.gap_marks = None
-        redraw("WINDOW", "UI")
+    marks.end()
 
 
 def shown_of(result: bpy.types.Object) -> bool:
     """Whether the rings of this result are drawn."""
-    return lasting.gap_marks is not None and lasting.gap_marks.are_of(result)
+    return marks.current is not None and marks.current.are_of(result)

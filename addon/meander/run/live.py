@@ -26,7 +26,7 @@ from ..scene.linked_settings import settings_of
 from ..scene.options import options_of
 from ..scene.results import is_present
 from ..scene.settings import surface_of
-from .lasting import lasting
+from .lasting import Activity
 from .meaning import Meaning
 from .plan import Plan
 from .suspended import SuspendedRun, same_mesh
@@ -136,23 +136,24 @@ class Kept:
     splines: str
 
 
+finished: Activity[Kept] = Activity(
+    undone=True, gone=lambda kept: kept.run.plan.surface.find() is None
+)
+
+
 def keep(run: SuspendedRun) -> None:
     """Keeps the flow of a run that has written its result, instead of the one before it."""
     result = run.plan.result.find()
-    lasting.finished = Kept(run, _digest(result)) if result is not None else None
-
-
-def drop() -> None:
-    """Forgets the flow that is kept and frees its memory. Does nothing when there is none."""
-    lasting.finished = None
+    finished.end()
+    if result is not None:
+        finished.begin(Kept(run, _digest(result)))
 
 
 def taken(active: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> SuspendedRun | None:
     """Hands out the run that is kept, if it is of this surface or result and goes on from what is
     there; it is kept no longer. Raises DataError for a surface that cannot be read.
     """
-    kept = lasting.finished
-    drop()
+    kept = finished.taken()
     if kept is None:
         return None
     plan = kept.run.plan

@@ -30,6 +30,7 @@ from ..scene.look import modifier_of
 from ..scene.meshes import surface_now, triangles_of
 from ..scene.points import bind
 from . import session
+from .lasting import Activity, Memory, end_gone
 from .plan import Plan, plan_of
 
 
@@ -180,29 +181,30 @@ def follower_of(
 # Who a follower is of: what a result is known by, and its name, since before Blender 4.1 another
 # one may get its address.
 Owner = tuple[int, str]
-# Followers of the results that follow: what they know is not in the file, and whatever may have
-# changed it (undo, another file) makes new ones necessary.
-_followers: dict[Owner, Follower] = {}
-# Why a result does not follow, for the panel.
-_problems: dict[Owner, str] = {}
-_rendering = False
 
 
 def _owner(result: bpy.types.Object) -> Owner:
     return number_of(result), result.name_full
 
 
+def _has_gone(owner: Owner) -> bool:
+    """What was deleted takes its flow with it; what was renamed begins again from its curve."""
+    result = bpy.data.objects.get((owner[1], None))
+    return result is None or _owner(result) != owner
+
+
+# Followers of the results that follow: what they know is not in the file, and whatever may have
+# changed it (undo, another file) makes new ones necessary.
+_followers: Memory[Owner, Follower] = Memory(undone=True, gone=_has_gone)
+# Why a result does not follow, for the panel.
+_problems: Memory[Owner, str] = Memory(undone=True, gone=_has_gone)
+# Whether something is being rendered.
+_rendering: Activity[bool] = Activity()
+
+
 def problem_of(result: bpy.types.Object) -> str | None:
     """Why a result does not follow, as a sentence; None while it does."""
     return _problems.get(_owner(result))
-
-
-def _forget_who_went() -> None:
-    """What was deleted takes its flow with it; what was renamed begins again from its curve."""
-    left = {_owner(thing) for thing in bpy.data.objects if thing.type == "CURVE"}
-    for known in (_followers, _problems):
-        for owner in known.keys() - left:
-            del known[owner]
 
 
 def forget() -> None:
@@ -214,7 +216,6 @@ def forget() -> None:
 def begin(result: bpy.types.Object, context: bpy.types.Context) -> None:
     """Starts or stops following, as the settings say; the curve fits the present frame."""
     key = _owner(result)
-    _forget_who_went()
     _followers.pop(key, None)
     _problems.pop(key, None)
     settings = result.meander
@@ -229,12 +230,11 @@ def begin(result: bpy.types.Object, context: bpy.types.Context) -> None:
 
 def _may_change(scene: bpy.types.Scene) -> bool:
     """A render in a window runs on a thread of its own while the window draws the same data."""
-    return not _rendering or bpy.app.background or scene.render.use_lock_interface
+    return _rendering.current is None or bpy.app.background or scene.render.use_lock_interface
 
 
 def on_frame(scene: bpy.types.Scene, depsgraph: Any = None) -> None:
-    if _followers or _problems:
-        _forget_who_went()
+    end_gone()
     results = [thing for thing in scene.objects if thing.type == "CURVE" and thing.meander.follow]
     if not results or session.current() is not None or not _may_change(scene):
         return
@@ -266,10 +266,8 @@ def on_load() -> None:
 
 
 def on_render() -> None:
-    global _rendering
-    _rendering = True
+    _rendering.begin(True)
 
 
 def on_render_end() -> None:
-    global _rendering
-    _rendering = False
+    _rendering.end()

@@ -8,10 +8,11 @@ from __future__ import annotations
 import bpy
 
 from ..scene.identity import number_of
+from .lasting import Memory
 from .meaning import Meaning, meaning_of
 
 # By the number of the object, and with who left it.
-_notes: dict[int, tuple[str, Meaning | None, str]] = {}
+_notes: Memory[int, tuple[str, Meaning | None, str]] = Memory()
 
 
 def keep(thing: bpy.types.Object | None, sentence: str, by: str = "") -> None:
@@ -40,8 +41,3 @@ def of(thing: bpy.types.Object) -> str:
     now = meaning_of(thing)
     same = now is None if meaning is None else meaning.same_as(now)
     return sentence if same else ""
-
-
-def forget() -> None:
-    """Takes all notes away."""
-    _notes.clear()

@@ -18,7 +18,7 @@ from ..model.opening import open_flow
 from ..scene.identity import Key
 from ..scene.lengths import length_text
 from ..scene.meshes import in_polygons
-from .lasting import lasting
+from .lasting import Activity
 from .meaning import Meaning, meaning_of
 from .plan import Plan, plan_of
 from .preview import GrowingCurve
@@ -36,6 +36,15 @@ class Shown:
     active: Key  # whose settings they are
     meaning: Meaning
     curves: list[GrowingCurve]
+
+
+def _remove(shown: Shown) -> None:
+    for curve in shown.curves:
+        curve.remove()
+    redraw("WINDOW", "UI")
+
+
+preview: Activity[Shown] = Activity(_remove, undone=True)
 
 
 @dataclass(frozen=True)
@@ -57,7 +66,7 @@ def is_shown(active: bpy.types.Object | None) -> bool:
 
     One that would be another by now is taken away. Cheap, for panels.
     """
-    shown = lasting.seed_preview
+    shown = preview.current
     if shown is None or active is None or shown.active.find() != active:
         return False
     return _is_current(shown)
@@ -98,11 +107,7 @@ def show(active: bpy.types.Object, context: bpy.types.Context) -> Found:
 
 def hide() -> None:
     """Takes the preview away. Does nothing when there is none."""
-    if lasting.seed_preview is not None:
-        for curve in lasting.seed_preview.curves:
-            curve.remove()
-        redraw("WINDOW", "UI")
-    lasting.seed_preview = None
+    preview.end()
 
 
 def _draw(
@@ -121,7 +126,7 @@ def _draw(
             curve = GrowingCurve(find, scene.find, plan.matrix, color, WIDTH)
             curve.show(polylines, _LIFT * plan.spacing)
             shown.curves.append(curve)
-    lasting.seed_preview = shown
+    preview.begin(shown)
     redraw("WINDOW", "UI")
 
 

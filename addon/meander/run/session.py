@@ -32,7 +32,7 @@ from ..scene.meshes import in_polygons
 from ..scene.preparation import remember_problem
 from ..scene.results import is_present
 from . import edit_mode, estimate, live, seeds, suspended
-from .lasting import lasting
+from .lasting import Activity
 from .meaning import meaning_of
 from .plan import Plan, with_looks
 from .preview import Preview
@@ -119,7 +119,7 @@ class Session:
     def start(self, context: bpy.types.Context) -> None:
         """Begins the run, which goes on by itself, with a timer for tick()."""
         self._take_the_place()
-        lasting.session = self
+        running.begin(self)
         found = self.plan.home.find(self.plan.surface.find())
         self._choice = None if found is None else Choice(found[1])
         self._preview = Preview(self.plan, context.scene)
@@ -140,8 +140,8 @@ class Session:
     def _take_the_place(self) -> None:
         """A run that begins takes the place of the one before it, and of what is drawn."""
         seeds.hide()
-        live.drop()
-        suspended.drop()
+        live.finished.end()
+        suspended.kept.end()
 
     def tick(self, context: bpy.types.Context) -> bool:
         """Shows how far the run is. False when it has come to its end.
@@ -416,15 +416,16 @@ class Session:
         """Ends the run without a result, and keeps it so that it can go on later."""
         self.end()
         if self.stepper.resumable and self._meaning is not None:
-            suspended.keep(SuspendedRun(self.plan, self.stepper, self.latest, self._meaning))
+            run = SuspendedRun(self.plan, self.stepper, self.latest, self._meaning)
+            suspended.kept.begin(run)
 
     def end(self) -> None:
         """Ends the run and gives back what it borrowed. May be called at any time, and again."""
         if self.ended:
             return
         self.ended = True
-        if lasting.session is self:
-            lasting.session = None
+        if running.current is self:
+            running.taken()
         self.stepper.cancel()
         self.stepper.join()
         if self._window is not None:
@@ -440,15 +441,12 @@ class Session:
             raise DataError("The curve was deleted while it was growing; start again")
 
 
+running: Activity[Session] = Activity(Session.end, busy="A curve is growing already")
+
+
 def current() -> Session | None:
     """The running session, or None."""
-    return lasting.session
-
-
-def end_current() -> None:
-    """Ends the running session, if there is one."""
-    if lasting.session is not None:
-        lasting.session.end()
+    return running.current
 
 
 def explain_refusal(plan: Plan, error: core.MeanderError) -> None:

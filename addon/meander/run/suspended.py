@@ -16,7 +16,7 @@ from ..scene.evaluated import matrix_of
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import triangles_of
 from ..scene.transforms import to_local
-from .lasting import lasting
+from .lasting import Activity
 from .meaning import Meaning, meaning_of
 from .plan import Plan, with_looks
 from .stepper import Snapshot, Stepper
@@ -35,14 +35,7 @@ class SuspendedRun:
         return self.latest.progress if self.latest is not None else 0.0
 
 
-def keep(run: SuspendedRun) -> None:
-    """Keeps a run that has been cancelled, instead of the one before it."""
-    lasting.suspended = run
-
-
-def drop() -> None:
-    """Forgets the run that is kept and frees its memory. Does nothing when there is none."""
-    lasting.suspended = None
+kept: Activity[SuspendedRun] = Activity()
 
 
 def run_of(active: bpy.types.Object | None) -> SuspendedRun | None:
@@ -50,13 +43,13 @@ def run_of(active: bpy.types.Object | None) -> SuspendedRun | None:
 
     Cheap, for panels and polls.
     """
-    kept = lasting.suspended
-    if kept is None or active is None or kept.plan.settings.find() != active:
+    run = kept.current
+    if run is None or active is None or run.plan.settings.find() != active:
         return None
-    if kept.plan.surface.find() is None or not kept.meaning.same_as(meaning_of(active)):
-        drop()
+    if run.plan.surface.find() is None or not run.meaning.same_as(meaning_of(active)):
+        kept.end()
         return None
-    return kept
+    return run
 
 
 def taken(now: Plan) -> SuspendedRun | None:
@@ -64,12 +57,11 @@ def taken(now: Plan) -> SuspendedRun | None:
 
     now   a new plan for the same object, whose choices of looks the run takes over
     """
-    kept = lasting.suspended
-    drop()
-    if kept is None or not _same_problem(kept.plan, now):
+    run = kept.taken()
+    if run is None or not _same_problem(run.plan, now):
         return None
-    plan = with_looks(kept.plan, settings_of(now.settings.find()))
-    return replace(kept, plan=replace(plan, look=now.look, materials=now.materials))
+    plan = with_looks(run.plan, settings_of(now.settings.find()))
+    return replace(run, plan=replace(plan, look=now.look, materials=now.materials))
 
 
 def _same_problem(one: Plan, other: Plan) -> bool:

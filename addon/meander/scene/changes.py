@@ -16,69 +16,71 @@ import bpy
 
 from .identity import number_of
 
-# Of the objects that somebody has asked for.
-_counts: dict[int, int] = {}
-# Where counting begins; never goes back, so that no count is met twice.
-_first = 0
-_counting = True
-# Whether something is being undone, or was since the last evaluation.
-_undoing = _undone = False
+
+class _Changes:
+    """The counts of one session, and what of it is being undone."""
+
+    def __init__(self) -> None:
+        # Of the objects that somebody has asked for.
+        self.counts: dict[int, int] = {}
+        # Where counting begins; never goes back, so that no count is met twice.
+        self.first = 0
+        self.counting = True
+        # Whether something is being undone, or was since the last evaluation.
+        self.undoing = self.undone = False
+
+    def count(self, depsgraph: Any, is_shape: Callable[[Any], bool]) -> None:
+        """is_shape   whether an object counts of which all is evaluated anew, its place as well"""
+        if depsgraph is None or not self.counts or not self.counting:
+            return
+        for update in depsgraph.updates:
+            if not update.is_updated_geometry or not isinstance(update.id, bpy.types.Object):
+                continue
+            thing = update.id.original
+            number = number_of(thing)
+            if number in self.counts and (not update.is_updated_transform or is_shape(thing)):
+                self.counts[number] += 1
+
+
+_changes = _Changes()
 
 
 def shape_count(object: bpy.types.Object) -> int:
     """A number that is another one after every change of the object's shape."""
-    return _counts.setdefault(number_of(object), _first)
+    return _changes.counts.setdefault(number_of(object), _changes.first)
 
 
 @contextmanager
 def uncounted() -> Iterator[None]:
     """What the dependency graph evaluates within the block counts as no change."""
-    global _counting
-    _counting = False
+    _changes.counting = False
     try:
         yield
     finally:
-        _counting = True
-
-
-def _count(depsgraph: Any, is_shape: Callable[[Any], bool]) -> None:
-    """is_shape   whether an object counts of which all is evaluated anew, its place as well"""
-    if depsgraph is None or not _counts or not _counting:
-        return
-    for update in depsgraph.updates:
-        if not update.is_updated_geometry or not isinstance(update.id, bpy.types.Object):
-            continue
-        thing = update.id.original
-        number = number_of(thing)
-        if number in _counts and (not update.is_updated_transform or is_shape(thing)):
-            _counts[number] += 1
+        _changes.counting = True
 
 
 def on_update(_scene: bpy.types.Scene, depsgraph: Any = None) -> None:
     # Blender evaluates all of an object when a panel changes any setting of an add-on on it; and of
     # one in Edit Mode when something is undone there, after which its shape is another.
-    global _undone
-    undo = _undoing or _undone
-    _count(depsgraph, lambda thing: undo and thing.mode == "EDIT")
-    _undone = False
+    undo = _changes.undoing or _changes.undone
+    _changes.count(depsgraph, lambda thing: undo and thing.mode == "EDIT")
+    _changes.undone = False
 
 
 def on_frame(_scene: bpy.types.Scene, depsgraph: Any = None) -> None:
-    _count(depsgraph, lambda _thing: True)
+    _changes.count(depsgraph, lambda _thing: True)
 
 
 def on_undo_begin() -> None:
-    global _undoing
-    _undoing = True
+    _changes.undoing = True
 
 
 def on_undo_end() -> None:
-    global _undoing, _undone
-    _undoing, _undone = False, True
+    _changes.undoing, _changes.undone = False, True
 
 
 def on_load() -> None:
     """In another file the same address may be another object's."""
-    global _first
-    _first = max(_counts.values(), default=_first) + 1
-    _counts.clear()
+    _changes.first = max(_changes.counts.values(), default=_changes.first) + 1
+    _changes.counts.clear()

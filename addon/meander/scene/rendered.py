@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -32,18 +33,17 @@ _OF_SPLINES = frozenset({"CURVE", "SURFACE", "FONT"})
 
 SUBDIVISIONS, MODIFIERS, RESOLUTION = "SUBDIVISIONS", "MODIFIERS", "RESOLUTION"
 
-_most_faces = MOST_FACES
+_most_faces: ContextVar[float] = ContextVar("_most_faces", default=MOST_FACES)
 
 
 @contextmanager
 def whatever_it_costs() -> Iterator[None]:
     """Has surfaces taken as rendered for the block, however many faces they have there."""
-    global _most_faces
-    before, _most_faces = _most_faces, float("inf")
+    before = _most_faces.set(float("inf"))
     try:
         yield
     finally:
-        _most_faces = before
+        _most_faces.reset(before)
 
 
 @dataclass(frozen=True)
@@ -64,11 +64,11 @@ class Rendering:
     @property
     def may_be_filled(self) -> bool:
         """Whether a surface is filled as rendered, as far as that can be told without counting."""
-        return self.cost <= _most_faces
+        return self.cost <= _most_faces.get()
 
     def is_worth(self, rendered: int, shown: int) -> bool:
         """may_be_filled, once the corners of the faces of both are counted."""
-        return rendered <= _most_faces * shown
+        return rendered <= _most_faces.get() * shown
 
 
 def rendering_of(thing: bpy.types.Object, scene: bpy.types.Scene) -> Rendering | None:

@@ -13,7 +13,8 @@ from ..model.camera import PAPERS, SPACING, CameraPage, Page
 from ..model.estimate import Estimate, described
 from ..model.files.whole import FileError
 from ..run.camera import CameraDrawing, DrawingEstimate, Going
-from ..run.lasting import lasting, why_busy
+from ..run.camera import going as going_on
+from ..run.lasting import why_busy
 from ..run.window import Window
 from ..scene.blender_versions import ask
 from ..scene.camera import camera_page
@@ -205,23 +206,23 @@ class MEANDER_OT_draw_camera(PageSettings, bpy.types.Operator):
             self.report({"WARNING"}, remark)
 
     def _watch(self, context: bpy.types.Context, drawing: CameraDrawing) -> set[str]:
-        lasting.drawing = Going(drawing, None, Window(context, KEYS))
+        going_on.begin(Going(drawing, None, Window(context, KEYS)))
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
 
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        going = lasting.drawing
+        going = going_on.current
         if going is None:  # ended by unregister
             return {"CANCELLED"}
         if event.type == "ESC" and event.value == "PRESS" and over_view(context, event):
-            going.end()
+            going_on.end()
             return {"CANCELLED"}
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
         try:
             if self._goes_on(context, going):
                 return {"PASS_THROUGH"}
-            going.end()
+            going_on.end()
             self._write(context, going.drawing)
             return {"FINISHED"}
         except (DataError, core.MeanderError, FileError) as error:
@@ -251,8 +252,7 @@ class MEANDER_OT_draw_camera(PageSettings, bpy.types.Operator):
 
     def cancel(self, _context: bpy.types.Context) -> None:
         """Called by Blender when it closes the window or the file under a run."""
-        if lasting.drawing is not None:
-            lasting.drawing.end()
+        going_on.end()
 
 
 class MEANDER_OT_ask_draw(PageSettings, bpy.types.Operator):
@@ -292,8 +292,6 @@ def register() -> None:
 
 
 def unregister() -> None:
-    if lasting.drawing is not None:
-        lasting.drawing.end()
     bpy.types.TOPBAR_MT_file_export.remove(_menu)
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)

@@ -10,6 +10,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty
 from ..model.cut import light_colours, one_side
 from ..run import session
 from ..run.cut import CutResult, cut_result, paint, paint_sides
+from ..run.lasting import Activity
 from ..scene import assets
 from ..scene.cut import UV_MAP, sharpen_line, take_place
 from ..scene.errors import DataError
@@ -27,7 +28,8 @@ _DETAIL = "Length of the edges between the lines, in half spacings; 0 adds none"
 # What has a finer mesh than this takes Blender long to draw.
 _FINEST = 0.1
 # What was made last: the box Adjust Last Operation belongs to it as long as it is active.
-_last_made: Key | None = None
+# What an operator has made last.
+_made: Activity[Key] = Activity()
 
 
 class Cut(OnResult):
@@ -88,7 +90,7 @@ def _can_adjust(cls: type[Cut], context: bpy.types.Context) -> bool:
     settings, only while its poll agrees: before the result is active again.
     """
     operators = context.window_manager.operators
-    made = _last_made.find() if _last_made is not None else None
+    made = None if _made.current is None else _made.current.find()
     return (
         len(operators) > 0
         and operators[-1].bl_idname == cls.__name__
@@ -115,8 +117,7 @@ def _show(
     for thing in made:
         thing.select_set(True)
     context.view_layer.objects.active = made[0]
-    global _last_made
-    _last_made = Key(made[0])
+    _made.begin(Key(made[0]))
 
 
 def hide_originals() -> object:

@@ -12,7 +12,7 @@ from typing import Any
 import bpy
 from bpy.app.handlers import persistent
 
-from ..run import estimate, gaps, live, motion, notes, rounding, seeds, session, suspended
+from ..run import estimate, lasting, motion, rounding
 from ..scene import (
     after_undo,
     bake,
@@ -30,25 +30,9 @@ from . import seeds as seed_drawing
 
 # What is called at which event, in this order: first what other functions of the row look at.
 _READ_BACK = (identity.on_undo, changes.on_undo_end, after_undo.end)
-_UNDONE = (live.drop, seeds.hide, motion.forget, live_operator.forget)
 _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
-    "load_pre": (
-        session.end_current,
-        suspended.drop,
-        live.drop,
-        notes.forget,
-        seeds.hide,
-        motion.forget,
-        gaps.hide,
-        seed_drawing.before_load,
-    ),
-    "load_post": (
-        changes.on_load,
-        solid_view.forget,
-        estimate.forget,
-        motion.on_load,
-        live_operator.forget,
-    ),
+    "load_pre": (lasting.leave_file,),
+    "load_post": (changes.on_load, solid_view.forget, motion.on_load),
     "save_pre": (
         linked_settings.before_save,
         made.before_save,
@@ -57,15 +41,16 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
         bake.on_output,
     ),
     "undo_pre": (changes.on_undo_begin, after_undo.begin),
-    "undo_post": (*_READ_BACK, solid_view.give_back, *_UNDONE),
+    "undo_post": (*_READ_BACK, solid_view.give_back, lasting.end_undone),
     "redo_pre": (changes.on_undo_begin, after_undo.begin),
-    "redo_post": (*_READ_BACK, solid_view.after_redo, *_UNDONE),
+    "redo_post": (*_READ_BACK, solid_view.after_redo, lasting.end_undone),
     "depsgraph_update_post": (
         changes.on_update,
         after_undo.on_update,
         look.on_update,
         drawn_line.on_update,
         solid_view.give_back,
+        lasting.end_gone,
     ),
     "frame_change_post": (changes.on_frame, motion.on_frame),
     "render_init": (look.on_output, rounding.on_output, bake.on_output, motion.on_render),
@@ -85,20 +70,7 @@ _TIMERS = (
 )
 
 # What ends with the add-on, the running curve first.
-_ENDED = (
-    session.end_current,
-    suspended.drop,
-    live.drop,
-    seed_drawing.give_back,
-    seeds.hide,
-    gaps.hide,
-    live_operator.forget,
-    notes.forget,
-    motion.forget,
-    estimate.forget,
-    solid_view.forget,
-    changes.on_load,
-)
+_ENDED = (lasting.end_all, solid_view.forget, changes.on_load)
 
 # The handlers that Blender has, each with the name of its event.
 _handlers: list[tuple[str, Callable[..., None]]] = []

@@ -18,6 +18,7 @@ from ..model.geometry import surface_crossings
 from ..model.options.export import ROWS
 from ..model.toolpaths import embroidery, toolpath
 from ..model.toolpaths.drawing import Drawing, axes_of, drawing_of, seen_along
+from ..run.lasting import Activity
 from ..scene.errors import DataError
 from ..scene.identity import Key
 from ..scene.layouts import axes_of_view, has_map, metres_of, unrolled_strands
@@ -75,7 +76,7 @@ class _Refused(NamedTuple):
     values: dict[str, Any]
 
 
-_refused: _Refused | None = None
+_refused: Activity[_Refused] = Activity()
 
 
 class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
@@ -220,15 +221,15 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
-        global _refused
         result = Key(result_of(context))
         try:
             done = self._write(context)
         except (DataError, core.MeanderError, FileError):
             # Blender remembers what was chosen of what has been done only.
-            _refused = _Refused(result, {name: getattr(self, name) for name in _KEPT})
+            kept = {name: getattr(self, name) for name in _KEPT}
+            _refused.begin(_Refused(result, kept))
             raise
-        _refused = None
+        _refused.end()
         return done
 
     def _write(self, context: bpy.types.Context) -> set[str]:
@@ -409,9 +410,10 @@ _KEPT = frozenset(
 def take_up_refused(operator: Any, result: bpy.types.Object) -> None:
     """Gives a dialog what the last one on a curve had, where that was refused; nothing that it
     was told itself."""
-    if _refused is None or _refused.result.find() != result:
+    refused = _refused.current
+    if refused is None or refused.result.find() != result:
         return
-    for name, value in _refused.values.items():
+    for name, value in refused.values.items():
         if not operator.properties.is_property_set(name):
             setattr(operator, name, value)
 

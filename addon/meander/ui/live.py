@@ -15,8 +15,8 @@ import bpy
 
 from .. import core
 from ..run import estimate, live, session
-from ..run.lasting import lasting
-from ..run.meaning import meaning_of
+from ..run.lasting import Memory
+from ..run.meaning import Meaning, meaning_of
 from ..run.plan import Plan, plan_of
 from ..scene.errors import DataError
 from ..scene.identity import number_of
@@ -29,6 +29,10 @@ from .fill import MEANDER_OT_run, Watched, fits, poll_run
 _GROWING, WAITING = 0.07, 0.15
 # A run whose operator has not been heard of for so long, in seconds, is advanced by the timer.
 _SILENCE = 0.15
+
+# For every window, by its address: the object that was active when Live looked last, and what a run
+# on it would have meant. What was undone is not to be done again.
+_looked_at: Memory[int, tuple[int, Meaning]] = Memory(undone=True)
 
 
 class MEANDER_OT_live(Watched, bpy.types.Operator):
@@ -97,7 +101,7 @@ def tick() -> float:
     if running is None:
         _look_at(windows)
         return WAITING
-    lasting.looked_at.clear()
+    _looked_at.clear()
     if running.live and time.perf_counter() - running.ticked > _SILENCE and len(windows):
         with bpy.context.temp_override(window=_window_of(running, windows)):
             try:
@@ -126,23 +130,23 @@ def _look_at(windows: Iterable[bpy.types.Window]) -> None:
         with bpy.context.temp_override(window=window):
             active = bpy.context.view_layer.objects.active
             if surface_of(active) is None or bpy.context.mode == "EDIT_MESH":
-                lasting.looked_at.pop(window.as_pointer(), None)
+                _looked_at.pop(window.as_pointer(), None)
                 continue
             found.add(settings_of(active).live)
             if not settings_of(active).live:
-                lasting.looked_at.pop(window.as_pointer(), None)
+                _looked_at.pop(window.as_pointer(), None)
             elif _has_changed(window, active) and MEANDER_OT_run.poll(bpy.context):
                 _press()
                 return
     if found == {False}:
-        live.drop()
+        live.finished.end()
 
 
 def _has_changed(window: bpy.types.Window, active: bpy.types.Object) -> bool:
     """Whether what a run on the object would mean is another than at the last look."""
     now = meaning_of(active)
-    before = lasting.looked_at.get(window.as_pointer())
-    lasting.looked_at[window.as_pointer()] = (number_of(active), now)
+    before = _looked_at.get(window.as_pointer())
+    _looked_at[window.as_pointer()] = (number_of(active), now)
     if before is None or before[0] != number_of(active) or not live.differs(before[1], now):
         return False
     # Where nothing has been filled yet, there is no curve to go on.
@@ -157,11 +161,6 @@ def _press() -> None:
     region = next(region for region in area.regions if region.type == "WINDOW")
     with bpy.context.temp_override(window=window, area=area, region=region):
         bpy.ops.meander.live("INVOKE_DEFAULT")
-
-
-def forget() -> None:
-    """What was undone is not to be done again."""
-    lasting.looked_at.clear()
 
 
 def register() -> None:

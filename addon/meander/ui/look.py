@@ -9,6 +9,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty
 
 from ..run import rounding
+from ..run.lasting import Activity
 from ..scene import drawn_line, look
 from ..scene.bake import looks_differ, pass_on_look
 from ..scene.identity import Key
@@ -149,40 +150,39 @@ class MEANDER_PT_look(SubPanel, bpy.types.Panel):
 
 
 # The result whose baked frames are to look as it does. A panel changes nothing, so a timer does.
-_ordered: Key | None = None
+_to_pass_on: Activity[Key] = Activity()
 
 
 # The result that is to be drawn with another rounding, likewise.
-_to_draw: Key | None = None
+_to_draw: Activity[Key] = Activity()
 # Not while its slider is dragged.
 _DRAG_SECONDS = 0.2
 
 
 def _order(result: bpy.types.Object) -> None:
-    global _ordered, _to_draw
     if drawn_line.is_due(result):
-        _to_draw = Key(result)
+        _to_draw.begin(Key(result))
         if not bpy.app.background and not bpy.app.timers.is_registered(draw_ordered):
             bpy.app.timers.register(draw_ordered, first_interval=_DRAG_SECONDS)
     if not looks_differ(result):
         return
-    _ordered = Key(result)
+    _to_pass_on.begin(Key(result))
     if not bpy.app.background and not bpy.app.timers.is_registered(pass_on):
         bpy.app.timers.register(pass_on, first_interval=0.0)
 
 
 def pass_on() -> None:
     """Gives the baked frames of what the panel shows its look, which the panel edits."""
-    global _ordered
-    result, _ordered = None if _ordered is None else _ordered.find(), None
+    key = _to_pass_on.taken()
+    result = None if key is None else key.find()
     if result is not None and looks_differ(result):
         pass_on_look(result)
 
 
 def draw_ordered() -> None:
     """Draws what the panel shows as its *Round* asks for."""
-    global _to_draw
-    result, _to_draw = None if _to_draw is None else _to_draw.find(), None
+    key = _to_draw.taken()
+    result = None if key is None else key.find()
     if result is not None and drawn_line.is_due(result):
         rounding.renew(result, bpy.context.scene, bpy.context.evaluated_depsgraph_get())
 

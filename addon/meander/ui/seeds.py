@@ -21,7 +21,7 @@ from bpy.props import BoolProperty, EnumProperty
 from .. import core
 from ..run import seeds
 from ..run.edit_mode import push_undo
-from ..run.lasting import why_busy
+from ..run.lasting import Activity, why_busy
 from ..run.window import redraw
 from ..scene import linked_settings
 from ..scene.blender_versions import settings_of
@@ -214,14 +214,12 @@ class _Drawing:
 # What a curve is for its mesh that a setting names.
 _IS_WHAT = {"seed": "seed", "alignment_strokes": "direction"}
 
-_drawing: _Drawing | None = None
-
-
 def surface_drawn_on(active: bpy.types.Object | None) -> bpy.types.Object | None:
     """The surface for which the active curve is being drawn; None: it is no such curve."""
-    if _drawing is None or active is None or active.mode != "EDIT":
+    drawing = drawn.current
+    if drawing is None or active is None or active.mode != "EDIT":
         return None
-    return _drawing.surface.find() if _drawing.curve.find() == active else None
+    return drawing.surface.find() if drawing.curve.find() == active else None
 
 
 # ------------------------------------------------------------------------------------------------
@@ -232,13 +230,12 @@ def _borrow(
     context: bpy.types.Context, curve: bpy.types.Object, surface: bpy.types.Object, setting: str
 ) -> None:
     """Sets up the draw tool. Edit Mode of the curve is on."""
-    global _drawing
     paint = context.tool_settings.curve_paint_settings
     before = settings_of(paint, _PAINT)
     for name in before:
         setattr(paint, name, _PAINT[name])
     earlier = getattr(linked_settings.settings_of(surface), setting)
-    _drawing = _Drawing(
+    drawing = _Drawing(
         Key(curve),
         Key(surface),
         Key(context.scene),
@@ -250,20 +247,17 @@ def _borrow(
     )
     if context.area is not None and context.area.type == "VIEW_3D":
         tool = context.workspace.tools.from_space_view3d_mode("EDIT_CURVE", create=False)
-        _drawing.tool = "builtin.select_box" if tool is None else tool.idname
+        drawing.tool = "builtin.select_box" if tool is None else tool.idname
         bpy.ops.wm.tool_set_by_id(name=_DRAW_TOOL)
-        _drawing.workspaces.append(Key(context.workspace))
+        drawing.workspaces.append(Key(context.workspace))
         context.workspace.status_text_set(_STATUS)
+    drawn.begin(drawing)
     if not bpy.app.background and not bpy.app.timers.is_registered(watch):
         bpy.app.timers.register(watch, first_interval=_INTERVAL)
 
 
-def give_back() -> None:
-    """Returns what was borrowed. Does nothing when nothing was."""
-    global _drawing
-    drawing, _drawing = _drawing, None
-    if drawing is None:
-        return
+def _give_back(drawing: _Drawing) -> None:
+    """Returns what was borrowed."""
     scene, curve = drawing.scene.find(), drawing.curve.find()
     if scene is not None:
         paint = scene.tool_settings.curve_paint_settings
@@ -284,6 +278,9 @@ def _clear_status(drawing: _Drawing) -> None:
                 workspace.status_text_set(None)
 
 
+drawn: Activity[_Drawing] = Activity(_give_back, leave=_clear_status)
+
+
 def _choose_tool(name: str, curve: bpy.types.Object | None) -> None:
     """Chooses the tool that Edit Mode of curves has, whatever mode it is now."""
     for window in bpy.context.window_manager.windows:
@@ -301,15 +298,15 @@ def _choose_tool(name: str, curve: bpy.types.Object | None) -> None:
 
 def watch() -> float | None:
     """Whether the curve is still being drawn; a timer asks."""
-    if _drawing is None:
+    drawing = drawn.current
+    if drawing is None:
         return None
-    curve = _drawing.curve.find()
+    curve = drawing.curve.find()
     if curve is not None and curve.mode == "EDIT":
-        if _drawing.shows and _drawing.shown != shape_count(curve):
-            _show_strokes(_drawing, curve)
+        if drawing.shows and drawing.shown != shape_count(curve):
+            _show_strokes(drawing, curve)
         return _INTERVAL
-    drawing = _drawing
-    give_back()
+    drawn.end()
     if curve is not None and curve.users_scene:
         _end(drawing, bpy.context)  # Tab is End Drawing
         push_undo("End Drawing")
@@ -361,14 +358,6 @@ def _points(spline: bpy.types.Spline) -> int:
     return len(spline.points) + len(spline.bezier_points)
 
 
-def before_load() -> None:
-    """Lets go of the seed that is being drawn, whose settings and tool go with the file."""
-    global _drawing
-    if _drawing is not None:
-        _clear_status(_drawing)
-    _drawing = None
-
-
 # ------------------------------------------------------------------------------------------------
 # Operators
 
@@ -417,7 +406,7 @@ class MEANDER_OT_draw_seed(bpy.types.Operator):
         return False
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        give_back()
+        drawn.end()
         surface = context.active_object
         if context.mode != "OBJECT":
             bpy.ops.object.mode_set(mode="OBJECT")
@@ -447,8 +436,8 @@ class MEANDER_OT_end_seed(bpy.types.Operator):
         return True
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        drawing = _drawing
-        give_back()
+        drawing = drawn.current
+        drawn.end()
         bpy.ops.object.mode_set(mode="OBJECT")
         self.report({"INFO"}, _end(drawing, context))
         return {"FINISHED"}
@@ -515,10 +504,10 @@ class MEANDER_PT_drawing(Sidebar, bpy.types.Panel):
         column = self.layout.column(align=True)
         surface = surface_drawn_on(context.active_object)
         column.label(text=f"Draw on {surface.name}", icon="GREASEPENCIL")
-        if _drawing.problem:
-            notice(column, _drawing.problem, "ERROR")
+        if drawn.current.problem:
+            notice(column, drawn.current.problem, "ERROR")
         else:
-            is_seed = _drawing.setting == "seed"
+            is_seed = drawn.current.setting == "seed"
             text = "Each stroke is a strand" if is_seed else "Strands run along strokes"
             column.label(text=text, icon="BLANK1")
         row = column.row()
