@@ -22,7 +22,8 @@ from mathutils import Vector
 from meander import core
 from meander.headless import camera as draw
 from meander.model.camera import PAPERS, Page
-from meander.run.camera import CameraDrawing, DrawingEstimate, Going, going
+from meander.run.camera import CameraDrawing, Going, going
+from meander.run.paper import DrawingEstimate
 from meander.scene.camera import camera_page
 from meander.ui import camera as camera_operator
 from panel_layout import Layout

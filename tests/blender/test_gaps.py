@@ -10,7 +10,7 @@ from meander.run import gaps as gap_marks
 from meander.run import result as result_of_run
 from meander.ui import gaps as gaps_operator
 from meander.ui import panels
-from meander.ui.fill import unfilled
+from meander.ui.watched import unfilled
 from panel_layout import texts_of
 from scenes import (
     activate,

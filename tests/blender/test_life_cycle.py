@@ -9,8 +9,7 @@ import bpy
 import meander
 import pytest
 from meander.run import estimate, gaps, lasting, live, motion, notes, seeds, session, suspended
-from meander.ui import events
-from meander.ui import seeds as seed_drawing
+from meander.ui import drawing, events
 from scenes import activate, circle_points, fill, grid, poly_curve, sphere
 from watched_runs import begin, tick_until
 
@@ -70,10 +69,10 @@ def marked() -> None:
     assert gaps.marks.current is not None
 
 
-def drawing() -> None:
+def drawn() -> None:
     activate(grid(8))
     assert bpy.ops.meander.draw_seed() == {"FINISHED"}
-    assert seed_drawing.drawn.current is not None
+    assert drawing.drawn.current is not None
 
 
 def following() -> None:
@@ -90,7 +89,7 @@ def noted() -> None:
     assert notes.of(surface) and estimate._measured
 
 
-STATES = (growing, ended, finished, previewed, marked, drawing, following, noted)
+STATES = (growing, ended, finished, previewed, marked, drawn, following, noted)
 
 
 def nothing_lasts() -> None:

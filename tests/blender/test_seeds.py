@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from meander.run import seeds
-from meander.ui import seeds as seed_drawing
+from meander.ui import drawing as seed_drawing
 from scenes import (
     activate,
     circle_points,

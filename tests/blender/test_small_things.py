@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from meander.model import strands
 from meander.scene import look
-from meander.ui import alignment, camera, preferences, seeds
+from meander.ui import alignment, camera, drawing, preferences
 from panel_layout import drawn, texts_of
 from scenes import activate, fill, grid, sphere, world_splines
 
@@ -28,9 +28,9 @@ def test_strokes_of_direction_are_drawn():
     assert bpy.ops.meander.draw_seed(setting="alignment_strokes") == {"FINISHED"}
     curve = bpy.context.active_object
     assert surface.meander.alignment_strokes == curve and surface.meander.seed is None
-    assert "Strands run along strokes" in texts_of(seeds.MEANDER_PT_drawing)
+    assert "Strands run along strokes" in texts_of(drawing.MEANDER_PT_drawing)
     drawn_line(curve, [(-0.9, 0.0, 0.0), (0.0, 0.0, 0.0), (0.9, 0.0, 0.0)])
-    seeds.watch()
+    drawing.watch()
     assert bpy.context.view_layer.objects.active == surface
     result = fill(surface, 0.2, start="FULL")
     along = across = 0.0
@@ -44,7 +44,7 @@ def test_without_a_stroke_the_direction_is_what_it_was():
     surface = grid()
     bpy.ops.meander.draw_seed(setting="alignment_strokes")
     bpy.ops.object.mode_set(mode="OBJECT")
-    seeds.watch()
+    drawing.watch()
     assert surface.meander.alignment_strokes is None
     assert len(bpy.data.curves) == 0
 
@@ -106,6 +106,6 @@ def test_a_curve_of_directions_offers_the_fill_of_its_mesh():
     bpy.ops.meander.draw_seed(setting="alignment_strokes")
     curve = bpy.context.active_object
     drawn_line(curve, [(-0.9, 0.0, 0.0), (0.9, 0.0, 0.0)])
-    seeds.watch()
+    drawing.watch()
     activate(curve)
     assert seeded_mesh(bpy.context) == surface

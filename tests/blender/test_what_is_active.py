@@ -8,8 +8,8 @@ import pytest
 from meander.run import session
 from meander.scene import look
 from meander.scene.bake import looks_differ
+from meander.ui import drawing
 from meander.ui import look as look_panel
-from meander.ui import seeds
 from meander.ui.panels import MEANDER_PT_main
 from panel_layout import texts_of
 from scenes import activate, circle_points, cube, fill, points_of, poly_curve, sphere
@@ -39,10 +39,10 @@ def test_tab_is_end_drawing():
     curve = active()
     stroke(curve)
     bpy.ops.object.mode_set(mode="OBJECT")  # as Tab does
-    seeds.watch()
+    drawing.watch()
     assert active() == surface and surface.select_get() and not curve.select_get()
     assert surface.meander.seed == curve
-    assert seeds.surface_drawn_on(curve) is None
+    assert drawing.surface_drawn_on(curve) is None
 
 
 def test_tab_without_a_stroke_gives_the_seed_back_that_there_was():
@@ -52,7 +52,7 @@ def test_tab_without_a_stroke_gives_the_seed_back_that_there_was():
     bpy.ops.meander.draw_seed()
     name = active().name
     bpy.ops.object.mode_set(mode="OBJECT")
-    seeds.watch()
+    drawing.watch()
     assert surface.meander.seed == before
     assert active() == surface
     assert name not in bpy.data.objects
@@ -66,7 +66,7 @@ def test_what_was_clicked_after_drawing_stays_active():
     stroke(active())
     bpy.ops.object.mode_set(mode="OBJECT")
     activate(other)
-    seeds.watch()
+    drawing.watch()
     assert active() == other
     assert surface.meander.seed is not None
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import bpy
 from meander.run import seeds, session
-from meander.ui import seeds as seed_drawing
+from meander.ui import drawing as seed_drawing
 from stage import (
     changed_share,
     choose_spacing,

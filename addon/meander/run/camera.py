@@ -5,16 +5,12 @@ The strands have one spacing on the paper. On the surface it is as much more as 
 on paper where they are, so it grows with the distance from the camera, within one surface too.
 Where a surface turns away from the camera its strands close up on paper: that is what shows its
 shape. Nothing in the scene is changed, and nothing is left in it.
-
-For the estimate every surface is measured once. Another spacing on paper, or a larger page, is the
-same drawing under a magnifying glass, and so it is arithmetic.
 """
 
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -24,27 +20,18 @@ import numpy as np
 from .. import core
 from ..model.camera import CameraPage
 from ..model.empty import Empty, empty_of, percent
-from ..model.estimate import Estimate, estimated, together
-from ..model.field import FieldOn, evaluated
 from ..model.files.whole import naming, whole_files
-from ..model.geometry.clipped_mesh import Triangles
-from ..model.problem import Problem, begin_along_directions
+from ..model.problem import Problem
 from ..model.report import write_report
 from ..model.toolpaths.drawing import Drawing
 from ..model.toolpaths.svg import page_text
 from ..model.toolpaths.toolpath import Strand, resampled, strand_of, strands_of
-from ..scene.alignment import alignment_of, directions_of
-from ..scene.camera import Seen, Sight, seen_by
-from ..scene.density import chosen_density, density_of
+from ..scene.camera import Sight, seen_by
 from ..scene.errors import DataError
-from ..scene.linked_settings import settings_of
-from ..scene.meshes import triangles_of
-from ..scene.options import options_of
 from ..scene.rendered import whatever_it_costs
-from ..scene.settings import is_untouched
 from ..scene.visible import seen_parts
-from . import estimate
 from .lasting import Activity
+from .paper import BEYOND, DrawingEstimate, PaperSpacing
 from .stepper import Stepper
 from .window import Window
 
@@ -55,8 +42,6 @@ _LONGEST, _SHORTEST = 0.25, 0.5
 _LIFT = 0.01
 # Points are left out that change the line by less.
 _TOLERANCE = 0.01
-# Densities of one surface vary by no more (meander.h).
-_MOST_RATIO = 1e4
 
 
 @dataclass
@@ -275,160 +260,3 @@ def _on(page: CameraPage, strand: Strand) -> Strand:
     """A strand on paper, at z = 0."""
     flat = np.column_stack([page.on_paper(strand.points), np.zeros(len(strand.points))])
     return strand_of(flat, np.tile([0.0, 0.0, 1.0], (len(flat), 1)), strand.closed)
-
-
-# Surfaces are filled so far beyond the frame, where strands turn round; in spacings.
-BEYOND = 3.0
-# What is narrower on paper, in spacings, is seen edge on.
-_EDGE = 0.1
-# The scale on paper changes by less from one end of an edge to the other: the density is linear in
-# between.
-_SCALES = 1.2
-
-
-@dataclass(frozen=True)
-class PaperSpacing:
-    """A spacing on paper, in millimetres, for the surfaces of a scene.
-
-    fallback   the settings of what nobody has set up; None: those that it has
-    closer     sentences about surfaces whose far end is drawn closer than that
-    """
-
-    page: CameraPage
-    spacing: float
-    depsgraph: bpy.types.Depsgraph
-    fallback: bpy.types.PropertyGroup | None
-    closer: list[str] = field(default_factory=list)
-
-    def _width(self, mesh: Triangles) -> float:
-        """The area of a surface on paper over its longest side there, in millimetres."""
-        corners = self.page.on_paper(mesh.vertices)[mesh.faces]
-        one, other = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-        area = 0.5 * np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]).sum()
-        longest = np.ptp(corners.reshape(-1, 2), axis=0).max()
-        return float(area / longest) if longest > 0.0 else 0.0
-
-    def problem_of(self, seen: Seen) -> Problem | str:
-        """What fills a surface, or why it cannot be filled.
-
-        Of the settings, those count that say how strands run and where they are closer: the spacing
-        is the page's, seeds and masks are about a whole surface, and this one is cut off.
-        """
-        if self._width(seen.mesh) < _EDGE * self.spacing:
-            return f"'{seen.name}' is seen edge on; turn it, or the camera"
-        thing = None if seen.owner is None else seen.owner.find()
-        own = None if thing is None else settings_of(thing)
-        settings = own
-        if own is None or self.fallback is not None and is_untouched(own):
-            settings = self.fallback
-        spacing = float(np.median(self._spacing_at(seen.mesh.vertices)))
-        options = core.default_options() if settings is None else options_of(settings, spacing)
-        options.radius = spacing / 2.0
-        density = directions = alignment = None
-        if own is not None:
-            try:
-                alignment = alignment_of(own)
-                directions = directions_of(alignment, thing, self.depsgraph, options.radius)
-                choice = chosen_density(own, thing)
-                density = density_of(choice, thing, self.depsgraph, options.radius)
-            except DataError as error:
-                return str(error)
-        options.alignment_weight = 0.0 if directions is None else alignment.weight
-        mesh = self._divided(seen, thing, density, directions)
-        problem = Problem(
-            mesh.vertices,
-            mesh.faces.astype(np.uint32),
-            options,
-            density=self._density(seen.name, mesh, density, spacing),
-            directions=directions if mesh.lines is None else mesh.lines,
-            alignment="along" if alignment is None else alignment.kind,
-        )
-        begin_along_directions(problem)
-        return problem
-
-    def _spacing_at(self, points: np.ndarray) -> np.ndarray:
-        """What the spacing on paper is at points of the world, in its units."""
-        return self.spacing / self.page.millimetres(points)
-
-    def _divided(
-        self,
-        seen: Seen,
-        thing: bpy.types.Object | None,
-        density: np.ndarray | FieldOn | None,
-        directions: np.ndarray | FieldOn | None,
-    ) -> Triangles:
-        """The mesh with what is known at its vertices, fine enough for a density by distance."""
-        mesh = seen.mesh
-        values, lines = (
-            each if isinstance(each, np.ndarray) else None for each in (density, directions)
-        )
-        if values is not None or lines is not None:
-            vertices, faces = triangles_of(thing, self.depsgraph)
-            whole = Triangles(vertices, faces.astype(np.int64), values, lines)
-            mesh = whole.clipped(self.page.planes(BEYOND * self.spacing))
-        return mesh.divided(self._spacing_at, _SCALES)
-
-    def _density(
-        self, name: str, mesh: Triangles, own: np.ndarray | FieldOn | None, spacing: float
-    ) -> np.ndarray | FieldOn:
-        """By the distance from the camera, and what the surface has of its own, within what the
-        library takes."""
-        by_distance = (spacing / self._spacing_at(mesh.vertices)) ** 2
-        most = by_distance.max()
-        of_its_own = 1.0 if mesh.values is None else mesh.values.max() / mesh.values.min()
-        least = most * min(1.0, of_its_own / _MOST_RATIO)
-        if by_distance.min() < least:
-            self.closer.append(
-                f"'{name}' reaches from very near to very far away; its far end is drawn closer "
-                "than the spacing"
-            )
-            by_distance = np.maximum(by_distance, least)
-        if callable(own):
-            return lambda surface, context=None: by_distance * evaluated(own, surface, context)
-        return by_distance if mesh.values is None else by_distance * mesh.values
-
-
-class DrawingEstimate:
-    """Of what is to be filled for a page."""
-
-    def __init__(self, problems: Iterable[Problem], spacing: float, width: float) -> None:
-        """spacing, width   of strands and of the picture on paper, in millimetres"""
-        self._spacings = width / spacing  # across the picture
-        self._parts: list[tuple[core.Extent, core.FlowOptions]] = []
-        for problem in problems:
-            try:
-                self._parts.append((estimate.extent_of_problem(problem), problem.options))
-            except core.MeanderError:  # its run will report why, and leaves it out
-                continue
-
-    def at(self, spacing: float, width: float) -> Estimate | None:
-        """What the same picture comes to at another spacing and size; None: nothing is known."""
-        larger = width / spacing / self._spacings
-        return together(
-            [
-                estimated(_magnified(extent, larger), options, False, estimate.speeds)
-                for extent, options in self._parts
-            ]
-        )
-
-    def cost(self) -> core.Cost:
-        """What the library needs for it. The memory is that of the largest surface."""
-        costs = [core.estimate_cost(extent, options) for extent, options in self._parts]
-        return core.Cost(
-            sum(cost.nodes for cost in costs),
-            sum(cost.points for cost in costs),
-            sum(cost.length for cost in costs),
-            max((cost.memory for cost in costs), default=0.0),
-            sum(cost.processor_seconds for cost in costs),
-        )
-
-
-def _magnified(extent: core.Extent, larger: float) -> core.Extent:
-    """An extent whose lengths are all so many times as large."""
-    return replace(
-        extent,
-        length_area=extent.length_area * larger**2,
-        node_area=extent.node_area * larger**2,
-        edge_density=extent.edge_density / larger,
-        curvature=extent.curvature / larger**2,
-    )

@@ -12,9 +12,10 @@ from .. import core
 from ..model.camera import PAPERS, SPACING, CameraPage, Page
 from ..model.estimate import Estimate, described
 from ..model.files.whole import FileError
-from ..run.camera import CameraDrawing, DrawingEstimate, Going
+from ..run.camera import CameraDrawing, Going
 from ..run.camera import going as going_on
 from ..run.lasting import why_busy
+from ..run.paper import DrawingEstimate
 from ..run.window import Window
 from ..scene.blender_versions import ask
 from ..scene.camera import camera_page
@@ -22,9 +23,10 @@ from ..scene.errors import DataError
 from ..scene.linked_settings import settings_of
 from ..scene.settings import surface_of
 from .file_names import file_named
-from .fill import draw_question, over_view, sentence_of
+from .fill import draw_question
 from .preferences import is_large
-from .refusing import refuse, refusing
+from .refusing import refuse, refusing, sentence_of
+from .watched import over_view
 
 KEYS = "Esc: Cancel"
 

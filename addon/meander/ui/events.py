@@ -24,9 +24,9 @@ from ..scene import (
     made,
     solid_view,
 )
+from . import drawing
 from . import live as live_operator
 from . import look as look_panel
-from . import seeds as seed_drawing
 
 # What is called at which event, in this order: first what other functions of the row look at.
 _READ_BACK = (identity.on_undo, changes.on_undo_end, after_undo.end)
@@ -64,7 +64,7 @@ _EVALUATED = frozenset({"depsgraph_update_post", "frame_change_post"})
 _TIMERS = (
     live_operator.tick,
     estimate.measure_ordered,
-    seed_drawing.watch,
+    drawing.watch,
     look_panel.pass_on,
     look_panel.draw_ordered,
 )

@@ -27,10 +27,9 @@ from ..scene.points import strands_of_result
 from ..scene.visible import visible_strands
 from .declared import declared
 from .file_names import file_named
-from .fill import sentence_of
 from .on_result import OnResult, result_of
 from .preferences import page_size
-from .refusing import refusing
+from .refusing import refusing, sentence_of
 
 _TABLES = {"CSV": ".csv", "JSON": ".json"}
 _SUFFIXES = _TABLES | {kind.name: kind.suffixes[0] for kind in export.FORMATS}

@@ -12,9 +12,8 @@ from ..model.options.table import in_panel
 from ..scene.errors import DataError
 from ..scene.light import least_spacing, make_light
 from ..scene.points import polylines_of
-from .fill import sentence_of
 from .on_result import OnOwnResult, result_of
-from .refusing import refusing
+from .refusing import refusing, sentence_of
 
 
 class MEANDER_OT_make_light(OnOwnResult, bpy.types.Operator):

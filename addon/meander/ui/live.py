@@ -23,7 +23,8 @@ from ..scene.identity import number_of
 from ..scene.linked_settings import settings_of
 from ..scene.results import last_result
 from ..scene.settings import surface_of
-from .fill import MEANDER_OT_run, Watched, fits, poll_run
+from .fill import MEANDER_OT_run, fits, poll_run
+from .watched import Watched
 
 # Of the timer, in seconds, while a curve grows and while none does.
 _GROWING, WAITING = 0.07, 0.15

@@ -15,9 +15,8 @@ from ..scene import look
 from ..scene.errors import DataError
 from ..scene.layouts import map_of
 from .file_names import file_named
-from .fill import sentence_of
 from .on_result import OnResult, result_of
-from .refusing import refusing
+from .refusing import refusing, sentence_of
 
 _TIPS = {
     "mask": "White line on black",

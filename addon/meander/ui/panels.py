@@ -22,6 +22,7 @@ from ..scene.made import made_from
 from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .declared import row, rows, switch
+from .drawing import surface_drawn_on
 from .fill import MEANDER_OT_stop, draw_fill_buttons, seeded_mesh
 from .gaps import MEANDER_OT_show_gaps, wide_gaps
 from .help import MEANDER_OT_open_help
@@ -31,7 +32,6 @@ from .operators import MEANDER_OT_choose_settings, MEANDER_OT_propose_spacing
 from .preparation import draw_faults
 from .presets import MEANDER_PT_presets, active_name
 from .rendered import draw_rendering
-from .seeds import surface_drawn_on
 from .settings import MeanderFigures, MeanderSettings
 from .sidebar import ADVANCED, GUIDANCE, ORDER, OUTPUT, Sidebar, SubPanel, columns, notice
 

@@ -14,11 +14,10 @@ from ..scene.transforms import mean_scale
 from .camera import MEANDER_OT_draw_camera
 from .declared import rows
 from .export import MEANDER_OT_export_toolpath
-from .fill import sentence_of
 from .light import MEANDER_OT_make_light
 from .maps import MEANDER_OT_maps
 from .on_result import OnResult, result_of
-from .refusing import refusing
+from .refusing import refusing, sentence_of
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
 
 

@@ -16,9 +16,14 @@ from ..model.files.whole import FileError
 from ..run import notes
 from ..scene.errors import DataError
 from ..scene.identity import Key
-from .fill import sentence_of
 
 Execute = Callable[[bpy.types.Operator, bpy.types.Context], set[str]]
+
+
+def sentence_of(error: Exception | str) -> str:
+    """The error's text as a sentence of its own: Blender shows it without any context."""
+    text = str(error)
+    return text[:1].upper() + text[1:]
 
 
 def refusing(execute: Execute) -> Execute:

@@ -8,8 +8,8 @@ from ..run import seeds
 from ..scene.curve_reader import has_strands
 from ..scene.linked_settings import owner_of, settings_of
 from .declared import switch
+from .drawing import MEANDER_OT_draw_seed
 from .seeds import (
-    MEANDER_OT_draw_seed,
     MEANDER_OT_preview_seed,
     MEANDER_OT_seed_from_boundary,
     MEANDER_OT_seed_from_edges,
