@@ -106,12 +106,7 @@ def _plan_of(
     beside: bool,
 ) -> Plan:
     surface = surface_of(active)
-    if surface is None:
-        raise DataError(why_not(active))
-    if scene not in surface.users_scene[:]:
-        raise DataError(
-            f"The surface '{surface.name}' is not in this scene any more; choose a mesh to fill"
-        )
+    _refuse_missing(surface, active, scene)
     settings = settings_of(active)
     points.refuse(settings.points_as)
     core.library_version()  # before anything is read, a missing library is reported
@@ -123,11 +118,7 @@ def _plan_of(
     directions = directions_of(alignment, surface, depsgraph, spacing / 2.0)
     from_surface = active is surface or beside
     parts, materials = scene_strands.parts_of(active, depsgraph, restart or beside)
-    most = 0.0
-    if any(part.drawn for part in parts):
-        most = strands.max_distance_of(vertices)
-        scene_strands.check_on_surface(parts, vertices, faces, spacing / 2.0)
-    seed = strands.assembled(parts, settings.seed_every_part, most)
+    seed = _seed_of(parts, settings, vertices, faces, spacing / 2.0)
     region = selected_faces(surface) if active is surface else None
     prepared = _prepared(vertices, spacing / 2.0, region, settings, surface, depsgraph)
     options = options_of(settings, spacing)
@@ -170,6 +161,32 @@ def _plan_of(
         beside=beside,
     )
     return with_looks(plan, settings)
+
+
+def _refuse_missing(
+    surface: bpy.types.Object | None, active: bpy.types.Object | None, scene: bpy.types.Scene
+) -> None:
+    if surface is None:
+        raise DataError(why_not(active))
+    if scene not in surface.users_scene[:]:
+        raise DataError(
+            f"The surface '{surface.name}' is not in this scene any more; choose a mesh to fill"
+        )
+
+
+def _seed_of(
+    parts: list[strands.Part],
+    settings: bpy.types.PropertyGroup,
+    vertices: np.ndarray,
+    faces: np.ndarray,
+    radius: float,
+) -> core.Seed | None:
+    """What the run starts from; None: nothing was drawn."""
+    most = 0.0
+    if any(part.drawn for part in parts):
+        most = strands.max_distance_of(vertices)
+        scene_strands.check_on_surface(parts, vertices, faces, radius)
+    return strands.assembled(parts, settings.seed_every_part, most)
 
 
 def _prepared(

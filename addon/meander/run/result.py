@@ -77,13 +77,7 @@ def write_result(
     curve, radii, guides, line = rounding.shown(
         plan, stepper.guides, snapshot.polylines, stepper.point_data.radii, spacing
     )
-    earlier = plan.result.find() if plan.result else None
-    earlier = earlier if results.is_present(earlier) else None
-    if earlier is None:
-        results.forget_deleted(surface)
-    if earlier is not None and earlier.mode == "EDIT":
-        # Leaving Edit Mode later would write the points that it holds over the new ones.
-        bpy.ops.object.mode_set(mode="OBJECT")
+    earlier = _rewritten(plan, surface)
     result = write_curve(
         curve,
         surface,
@@ -92,46 +86,19 @@ def write_result(
         matrix=plan.matrix,
     )
     lay_on_what_is_shown(result, surface, context.scene)
-    sources = stepper.sources
-    if line is not None:
-        sources = line.sources if sources is None else sources[line.sources]
-    scene_strands.assign_materials(result.data, plan.materials, sources)
-    own_spacing = plan.spacing / mean_scale(plan.matrix)
-    follows = plan.radius_follows and stepper.density is not None
-    if earlier is None:
-        look.dress(result, replace(plan.look, follows=follows), own_spacing)
-    else:
-        look.follow_run(result, own_spacing, follows)
-    has_room = follows or modifier_of(result) is not None
-    factors = radius_factors(radii, radius) if has_room else None
-    set_tilt_and_radius(result.data, curve, plan.matrix, factors)
-    closed = int(np.count_nonzero(np.asarray(curve.closed, dtype=bool)[~guides]))
-    count = int(np.count_nonzero(~guides))
-    why = why_lines(
-        count,
-        int(stepper.surface_figures.get("components", 0)),
-        int(statistics["small_components"]),
-        int(statistics["guides"]),
-        any(not part.guide for part in plan.parts),
-        joining_of(plan.problem, stepper.surface_figures)
-        if count > 1 and stepper.surface_figures
-        else None,
-        "Merge Close Vertices at",
-    )
-    if why:
-        why = stepper.lines_why or why
-    lines = {"lines": count, "closed_lines": closed, "lines_why": why}
+    _dress(plan, stepper, result, (curve, radii, line), new=earlier is None)
+    lines = _line_figures(plan, stepper, statistics, np.asarray(curve.closed, dtype=bool)[~guides])
     _store(plan, stepper, result, statistics | lines | _bridge_figures(line), stop_reason)
-    result.meander.figures.least_spacing = spacing
+    figures = result.meander.figures
+    figures.least_spacing = spacing
     keep_guides = result.meander.keep_guides  # which has just been stored
     if line is not None or (guides.any() and not keep_guides):  # not the line that has grown
         every = zip(toolpath.strands_of(curve), guides)
-        shown = sum(strand.length for strand, guide in every if keep_guides or not guide)
-        result.meander.figures.length = shown
-    result.meander.figures.whole_points = len(snapshot.polylines.positions)
+        figures.length = sum(strand.length for strand, guide in every if keep_guides or not guide)
+    figures.whole_points = len(snapshot.polylines.positions)
     scene_strands.note_guides(result, guides, keep_guides)
     rounding.draw_after_run(plan, stepper, result, spacing)
-    result.meander.figures.bridges = "" if line is None else bridges.to_text(line, keep_guides)
+    figures.bridges = "" if line is None else bridges.to_text(line, keep_guides)
     grown = strands.points_without_guides(curve, guides) if not keep_guides else slice(None)
     point_attributes.store_medial_radii(result, radii[grown], plan.matrix)
     if plan.points_as != "NONE":
@@ -139,6 +106,67 @@ def write_result(
     if undisturbed and (earlier is None or not plan.from_surface):
         _make_active(context, result)
     return result
+
+
+def _rewritten(plan: Plan, surface: bpy.types.Object) -> bpy.types.Object | None:
+    """The curve object that the run goes on from, in Object Mode; None: a new one is made."""
+    earlier = plan.result.find() if plan.result else None
+    if not results.is_present(earlier):
+        results.forget_deleted(surface)
+        return None
+    if earlier.mode == "EDIT":
+        # Leaving Edit Mode later would write the points that it holds over the new ones.
+        bpy.ops.object.mode_set(mode="OBJECT")
+    return earlier
+
+
+def _dress(
+    plan: Plan,
+    stepper: Stepper,
+    result: bpy.types.Object,
+    drawn: tuple[core.Polylines, np.ndarray, bridges.Joined | None],
+    new: bool,
+) -> None:
+    """Materials, look, tilt and radius of a curve object whose points have been written.
+
+    drawn   the curve, its medial radii, and the line that joins its strands, where one does
+    """
+    curve, radii, line = drawn
+    sources = stepper.sources
+    if line is not None:
+        sources = line.sources if sources is None else sources[line.sources]
+    scene_strands.assign_materials(result.data, plan.materials, sources)
+    own_spacing = plan.spacing / mean_scale(plan.matrix)
+    follows = plan.radius_follows and stepper.density is not None
+    if new:
+        look.dress(result, replace(plan.look, follows=follows), own_spacing)
+    else:
+        look.follow_run(result, own_spacing, follows)
+    has_room = follows or modifier_of(result) is not None
+    factors = radius_factors(radii, plan.problem.options.radius) if has_room else None
+    set_tilt_and_radius(result.data, curve, plan.matrix, factors)
+
+
+def _line_figures(
+    plan: Plan, stepper: Stepper, statistics: dict[str, Any], closed: np.ndarray
+) -> dict[str, Any]:
+    """How many lines there are, guides aside, and why there are several.
+
+    closed   of each whether it is
+    """
+    count, figures = len(closed), stepper.surface_figures
+    why = why_lines(
+        count,
+        int(figures.get("components", 0)),
+        int(statistics["small_components"]),
+        int(statistics["guides"]),
+        any(not part.guide for part in plan.parts),
+        joining_of(plan.problem, figures) if count > 1 and figures else None,
+        "Merge Close Vertices at",
+    )
+    if why:
+        why = stepper.lines_why or why
+    return {"lines": count, "closed_lines": int(np.count_nonzero(closed)), "lines_why": why}
 
 
 def _bridge_figures(line: bridges.Joined | None) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,11 +56,34 @@ def above(
     """
     faces = np.asarray(faces, dtype=np.int64)
     signs = np.where(values > tolerance, 1, np.where(values < -tolerance, -1, 0))
-    of_faces = signs[faces]
+    count = len(vertices)
+    pieces, sources, names = _cut_faces(faces, signs[faces], count)
+    edges, number = np.unique(names, axis=0, return_inverse=True)
+    every = np.concatenate([np.arange(count), count + number.ravel()])[pieces]
+    used, local = np.unique(every, return_inverse=True)
+    values = values.astype(np.float64)
+    ends = values[edges]
+    shares = ends[:, 0] / (ends[:, 0] - ends[:, 1]) if len(edges) else np.zeros(0)
+    before = np.concatenate([np.arange(count), edges[:, 0]])[used]
+    after = np.concatenate([np.arange(count), edges[:, 1]])[used]
+    share = np.concatenate([np.zeros(count), shares])[used]
+    half = HalfMesh(
+        np.zeros((0, 3)), local.reshape(-1, 3).astype(np.uint32), before, after, share, sources
+    )
+    return replace(half, vertices=half.carried(vertices))
+
+
+def _cut_faces(
+    faces: NDArray[np.int64], of_faces: NDArray[np.int64], count: int
+) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
+    """The faces above, whole ones and parts of those that are cut: their corners, the face that
+    each came from, and the ends of the edge, smaller first, on which each new vertex lies.
+
+    of_faces   the signs of the corners (m, 3)
+    count      of the vertices; new ones have the numbers from there on, several on one edge
+    """
     kept = np.flatnonzero((of_faces.min(axis=1) >= 0) & (of_faces.max(axis=1) > 0))
     pieces, sources = [faces[kept]], [kept]
-    # A new vertex on an edge is named by its two ends, smaller first, until all are known.
-    count = len(vertices)
     names: list[NDArray[np.int64]] = [np.zeros((0, 2), dtype=np.int64)]
     taken = 0
 
@@ -71,8 +94,7 @@ def above(
         return np.arange(count + taken - len(one), count + taken)
 
     for turn in range(3):
-        corners = np.roll(faces, -turn, axis=1)
-        a, b, c = corners.T
+        a, b, c = np.roll(faces, -turn, axis=1).T
         sign = np.roll(of_faces, -turn, axis=1)
 
         def where(*wanted: int, sign: NDArray[np.int64] = sign) -> NDArray[np.int64]:
@@ -94,26 +116,7 @@ def above(
             np.column_stack([first, c[trunk], second]),
         ]
         sources += [trunk, trunk]
-    edges, number = np.unique(np.vstack(names), axis=0, return_inverse=True)
-    every = np.concatenate([np.arange(count), count + number.ravel()])[np.vstack(pieces)]
-    used, local = np.unique(every, return_inverse=True)
-    values = values.astype(np.float64)
-    ends = values[edges]
-    shares = ends[:, 0] / (ends[:, 0] - ends[:, 1]) if len(edges) else np.zeros(0)
-    before = np.concatenate([np.arange(count), edges[:, 0]])[used]
-    after = np.concatenate([np.arange(count), edges[:, 1]])[used]
-    share = np.concatenate([np.zeros(count), shares])[used]
-    half = HalfMesh(
-        np.zeros((0, 3)),
-        local.reshape(-1, 3).astype(np.uint32),
-        before,
-        after,
-        share,
-        np.concatenate(sources),
-    )
-    return HalfMesh(
-        half.carried(vertices), half.faces, before, after, share, half.sources
-    )
+    return np.vstack(pieces), np.concatenate(sources), np.vstack(names)
 
 
 def section(
