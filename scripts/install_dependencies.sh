@@ -171,7 +171,7 @@ for version in "${bpy_versions[@]}"; do # about 1 GB each
   python=$(python_of "$version")
   venv "$python" "build/bpy-$version" "bpy==$version.*" "pytest==8.*" "ruff==0.6.*" "import-linter==2.5.*" \
     "pyembroidery==1.5.*" "ezdxf==1.4.*" "svgpathtools==1.*" "gcodeparser==0.3.*" \
-    "scikit-build-core==1.1.*"
+    "scikit-build-core==1.1.*" "usd-core==26.*" "trimesh==5.*" "pyvista==0.49.*" "pyyaml==6.*"
 done
 [ $site -eq 0 ] || venv /usr/bin/python3 build/site-tools "mkdocs-material==9.8.*" "mkdocs==1.6.*"
 if [ $package_tools -eq 1 ]; then

@@ -17,7 +17,7 @@ from .model.files.obj import read_obj_curve, write_obj_curve
 from .model.files.whole import FileError, whole_file
 from .model.options.export import ROWS
 from .model.options.option import Option
-from .model.toolpaths import toolpath
+from .model.toolpaths import ros, toolpath
 from .model.toolpaths.drawing import VIEWS, axes_of, seen_along
 
 # What write_curve takes, by its suffix.
@@ -54,27 +54,30 @@ def write_curve(
     *,
     step: float | None = None,
     tolerance: float | None = None,
+    frame_id: str = ros.FRAME,
     **drawing: Any,
 ) -> None:
     """Writes the curve of a flow in the format of the file's suffix.
 
     path        .obj: v and l lines, with all digits; .csv and .json: every point with normal,
                 tangent, arc length, medial radii, and the triangle that holds it; .svg, .dxf,
-                .gcode, .nc, .ngc, .dst and .pes: drawings
+                .gcode, .nc, .ngc, .dst and .pes: drawings; .usda, .usdc, .usd and .glb: curves of a
+                scene; .xmodel, .wled.json and .pixelblaze.json: where LEDs lie; .yaml: poses
     step        points at equal arc lengths along each strand, at most this far apart; their
                 triangles are not known
     tolerance   as few points as keep the chords between them this near the curve
-    drawing     of drawings only, named as the flags of the command are: layout ("space", "top",
-                "front", "side"), unit ("mm", "cm", "in"), scale, size, line_width, feed,
+    frame_id    the frame of reference that a .yaml of ROS names
+    drawing     of all but .obj, .csv and .json, named as the flags of the command are: layout
+                ("space", "top", "front", "side"), unit ("mm", "cm", "in"), scale, size, line_width, feed,
                 travel_feed, lift, layer_offset, layers, layer_height, extrusion, tool, machine,
                 power, servo_down, servo_up, relative, arcs, stitch_length, stitch_tolerance,
-                least_stitch, force.
+                least_stitch, force, thickness, pitch, ros_message, standoff, approach.
                 A unit of the mesh is a metre
 
     Raises FileError: the file cannot be written, or an option means nothing for its format.
     """
     path = Path(path)
-    suffix, kind = path.suffix.lower(), export.format_of(path)
+    suffix, kind = export.suffix_of(path), export.format_of(path)
     if suffix not in _CURVES:
         raise FileError(
             f"{path} is no {', '.join(_CURVES[:-1])} or {_CURVES[-1]} file; choose another suffix"
@@ -101,11 +104,12 @@ def write_curve(
         return
     spacing = float(flow.statistics()["spacing_target"])
     drawn = export.prepared(strands, kind, values, metres=1.0, spacing=spacing)
-    problem = None if values["force"] else export.unusable(drawn)
+    problem = export.unusable(drawn, kind, values)
     if problem is not None:
         way = "choose another layout" if problem.edge else "choose a size or scale"
         raise FileError(f"the drawing {problem.what}; {way}, or force=True")
-    export.write(path, kind, drawn, values, path.stem, library_version())
+    title = path.name[: -len(suffix)]
+    export.write(path, kind, drawn, values, title, library_version(), frame_id=frame_id)
 
 
 def write_cut(path: str | Path, cut: CutSurface, spacing: float) -> None:

@@ -203,6 +203,9 @@ def test_the_batch_command_bakes(result: bpy.types.Object, tmp_path: Path, run_b
         bpy.context.scene.frame_set(frame)
         shown = next(thing for thing in frames if not thing.hide_render)
         assert scenes.farthest_from(bpy.data.objects["Tube"], shown) < ON_SURFACE
+    moving = output.with_suffix(".usda")
+    done = run_batch(*arguments, "--output", moving, "--bake-frames", 3, 4)
+    assert done.returncode == 0 and moving.read_text().count("timeSamples") > 3, done.stderr
     output.unlink()
     for extra, words in (
         (("--bake-frames", 4, 1), "earlier frame first"),

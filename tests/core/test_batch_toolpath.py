@@ -77,7 +77,7 @@ def test_bad_combinations_are_refused(square: Path, capsys: pytest.CaptureFixtur
         ("out.blend", ("--round", "0.1"), "set Round in the look"),
         ("out.csv", ("--round", "0.6"), "choose from 0 to 0.5"),
         ("out.csv", ("--points", "mesh"), ".csv and .json have the same"),
-        ("out.txt", (), ".dst or .pes"),
+        ("out.txt", (), ".pixelblaze.json or .yaml"),
     ):
         (square.parent / name).write_text("earlier")
         assert _run(square, name, *extra) == 2

@@ -122,6 +122,10 @@ TRIES = """
 --output out.csv --part-length 1 --part-overlap 1
 --poses
 --output out.csv --standoff 1
+--output out.svg --frame-id map
+--output out.usda --bake-frames 1 5 --input shot.blend --layout top
+--output out.wled.json --size 9000 --pitch 0.5
+--output out.xmodel --scale 1000 --pitch 0.1
 --output out.svg --lines pairs
 --output out.blend --round 0.1
 --points mesh

@@ -15,16 +15,13 @@ from numpy.typing import NDArray
 from .. import core
 from ..model import export
 from ..model.options.export import GROUP, ROWS
-from ..model.toolpaths import embroidery, toolpath
+from ..model.toolpaths import embroidery, ros, toolpath, usd
 from ..model.toolpaths.drawing import UNITS, Drawing, axes_of, seen_along
 from ..model.toolpaths.order import Order
 from . import flags
 from .input import Input
 from .place import Place
 from .values import BadInput, file_name
-
-# The units that a mesh file may be in, in metres.
-MESH_UNITS = UNITS | {"m": 1.0}
 
 # The most places where a drawing crosses itself that a report names.
 _MOST_PLACES = 20
@@ -37,7 +34,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     flags.add_flags(group, GROUP, ROWS)
     group.add_argument(
         "--input-unit",
-        choices=tuple(MESH_UNITS),
+        choices=tuple(UNITS),
         help="the unit of length of the mesh file, which does not say it; default: m",
     )
     group.add_argument(
@@ -53,6 +50,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
             help=f"lines of G-code {place}, in place of those of the machine",
         )
     group.add_argument(
+        "--frame-id",
+        metavar="NAME",
+        help="the frame of reference that a .yaml of ROS names; default: world",
+    )
+    group.add_argument(
         "--layout-map", metavar="NAME", help="the UV map of --layout uv; default: the active one"
     )
 
@@ -60,10 +62,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def problem_of(arguments: argparse.Namespace) -> str | None:
     """What is wrong with the options, as a sentence, or None."""
     kind = export.format_of(arguments.output)
-    suffix = arguments.output.suffix.lower()
+    suffix = export.suffix_of(arguments.output)
     for row in ROWS:
         given = getattr(arguments, row.flag.destination) not in (None, False)
-        if given and (kind is None or row.setting not in kind.options):
+        if given and row.setting in export.POSES and not _has_poses(arguments):
+            return f"{row.flag.name} is for --poses and for .yaml; give both or none"
+        if given and row.setting not in _taken(arguments):
             return f"{row.flag.name} does nothing for an --output of kind {suffix}; leave it out"
     for name in ("input_unit", "input_up"):
         option = f"--{name.replace('_', '-')}"
@@ -73,6 +77,8 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
             return f"{option} does nothing for an --output of kind {suffix}; leave it out"
         if arguments.input.suffix.lower() == ".blend":
             return f"{option} is for mesh files, and a .blend knows its own; leave it out"
+    if arguments.frame_id is not None and (kind is None or kind.name != "ROS"):
+        return f"--frame-id does nothing for an --output of kind {suffix}; leave it out"
     for name in ("header", "footer"):
         path = getattr(arguments, name)
         if path is not None and (kind is None or kind.name != "GCODE"):
@@ -102,20 +108,35 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
         return f"--backwards does nothing for an --output of kind {suffix}; leave it out"
     if kind is not None and embroidery.is_wanted(arguments.output) and not embroidery.is_there():
         return embroidery.missing_text(None)
+    if suffix in (".usdc", ".usd") and not usd.is_there():
+        return usd.missing_text()
     return None
+
+
+def _has_poses(arguments: argparse.Namespace) -> bool:
+    kind = export.format_of(arguments.output)
+    return arguments.poses if kind is None else kind.name == "ROS"
+
+
+def _taken(arguments: argparse.Namespace) -> tuple[str, ...]:
+    """The settings that mean something for the output."""
+    kind = export.format_of(arguments.output)
+    if kind is None:
+        return export.POSES if arguments.poses else ()
+    return kind.options
 
 
 def echo(arguments: argparse.Namespace) -> dict[str, Any]:
     """What is in effect, for the report; null: nothing, as the format does not take it."""
     kind = export.format_of(arguments.output)
-    taken = () if kind is None else kind.options
-    values = _values(arguments)
+    taken, values = _taken(arguments), _values(arguments)
     found = {
         row.flag.entry: values[row.setting] if row.setting in taken else None for row in ROWS
     }
     of_file = kind is not None and arguments.input.suffix.lower() != ".blend"
     return found | {
         "layout_map": arguments.layout_map,
+        "frame_id": arguments.frame_id or ros.FRAME if kind and kind.name == "ROS" else None,
         "header": None if arguments.header is None else str(arguments.header),
         "footer": None if arguments.footer is None else str(arguments.footer),
         "input_unit": (arguments.input_unit or "m") if of_file else None,
@@ -154,6 +175,7 @@ def _turned_up(strand: toolpath.Strand) -> toolpath.Strand:
 
 def _refuse_unusable(
     drawing: Drawing,
+    kind: export.Format,
     arguments: argparse.Namespace,
     strands: Sequence[toolpath.Strand],
     given: Input,
@@ -162,7 +184,7 @@ def _refuse_unusable(
 
     strands   in space, as they were before they were laid
     """
-    problem = None if arguments.force else export.unusable(drawing)
+    problem = export.unusable(drawing, kind, _values(arguments))
     if problem is None:
         return
     of_file = given.surface_object is None
@@ -187,26 +209,30 @@ def write(
     place: Place,
     spacing: float,
     in_space: Sequence[toolpath.Strand],
+    frames: Sequence[tuple[float, Sequence[toolpath.Strand]]] = (),
+    rate: float = 24.0,
 ) -> tuple[int, dict[str, Any]]:
     """Writes strands that are laid out already. Returns the number of points in the file, and the
     report's "drawing".
 
     spacing    the least one, in scene units
     in_space   the strands before they were laid out
+    frames     times and strands of a curve that moves, and how many of them are a second
 
     Raises FileError for what is no drawing, and BadInput for one that no machine could take.
     """
     kind, values = export.format_of(arguments.output), _values(arguments)
     metres = _metres(arguments, given, place)
     order = order_of(arguments)
-    drawing = export.prepared(strands, kind, values, metres, spacing, order)
-    _refuse_unusable(drawing, arguments, in_space, given)
-    title = arguments.output.stem
+    drawing = export.prepared(strands, kind, values, metres, spacing, order, frames, rate)
+    _refuse_unusable(drawing, kind, arguments, in_space, given)
+    title = arguments.output.name[: -len(export.suffix_of(arguments.output))]
     head, foot = (
         None if file is None else export.lines_of(file)
         for file in (arguments.header, arguments.footer)
     )
-    export.write(path, kind, drawing, values, title, core.library_version(), head, foot)
+    named = (head, foot, arguments.frame_id or ros.FRAME)
+    export.write(path, kind, drawing, values, title, core.library_version(), *named)
     place.say(f"meander: {drawing.described()}")
     short = len(strands) - len(drawing.strands)
     if short and order.go_on is None:
@@ -228,7 +254,7 @@ def write(
 def _metres(arguments: argparse.Namespace, given: Input, place: Place) -> float:
     """The length of a scene unit."""
     if given.surface_object is None:
-        return MESH_UNITS[arguments.input_unit or "m"]
+        return UNITS[arguments.input_unit or "m"]
     return place.blender(arguments.input).metres()
 
 

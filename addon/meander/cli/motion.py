@@ -6,7 +6,11 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
+from ..model import export
 from .flags import FLAGGED, add_flags
+
+# What lays a file out otherwise than the curve lies, which frames do not follow.
+_OF_ONE_FRAME = ("layout", "begin_at", "go_on_from", "backwards", "part_length")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -19,8 +23,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         type=int,
         nargs=2,
         metavar=("START", "END"),
-        help="write the curve of these frames into the .blend; it is grown in the file's own frame "
-        "or in that of --frame",
+        help="write the curve of these frames into the .blend, or into USD as samples in time; it "
+        "is grown in the file's own frame or in that of --frame",
     )
     add_flags(group, "motion")
 
@@ -35,8 +39,15 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
     first, last = arguments.bake_frames
     if first > last:
         return f"--bake-frames {first} {last} ends before it begins; give the earlier frame first"
-    if kind != ".blend" or arguments.output.suffix.lower() != ".blend":
-        return "--bake-frames needs an --input and an --output of kind .blend"
+    moves = export.takes_frames(export.format_of(arguments.output))
+    if kind != ".blend" or not (moves or arguments.output.suffix.lower() == ".blend"):
+        return (
+            "--bake-frames needs an --input of kind .blend, and an --output of kind .blend or USD"
+        )
+    for name in _OF_ONE_FRAME if moves else ():
+        if getattr(arguments, name) not in (None, False, "space"):
+            option = f"--{name.replace('_', '-')}"
+            return f"{option} is of one frame, and --bake-frames has several; leave out one of both"
     return None
 
 

@@ -49,6 +49,11 @@ class Host(Protocol):
         points, what was joined to one line, and where a light curve crosses itself; None: it has
         all points."""
 
+    def baked_frames(
+        self, arguments: argparse.Namespace, given: Input, grown: Grown
+    ) -> tuple[list[tuple[float, list[toolpath.Strand]]], float]:
+        """The strands of each of --bake-frames, in scene units, and how many are a second."""
+
     def write_cut_scene(
         self, path: Path, arguments: argparse.Namespace, given: Input, cut: core.CutSurface
     ) -> None:

@@ -81,18 +81,6 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "and tangents; z points into the surface, x along the curve",
     )
     add(
-        "--standoff",
-        type=number,
-        metavar="D",
-        help="distance of the tool from the surface in --poses; default: 0",
-    )
-    add(
-        "--approach",
-        type=positive,
-        metavar="D",
-        help="in --poses: begin and end each strand this much farther from the surface",
-    )
-    add(
         "--outward",
         action="store_true",
         help="turn closed bodies that are inside out, so that normals point away from them",
@@ -140,11 +128,8 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
             return "--part-overlap is for --part-length; give both or none"
         if not abs(arguments.part_overlap) <= arguments.part_length / 2:
             return "--part-overlap is more than half of --part-length; choose a smaller one"
-    if arguments.poses and arguments.output.suffix.lower() not in toolpath.SUFFIXES:
-        return "--poses needs an --output of kind .csv or .json"
-    for name in ("standoff", "approach"):
-        if getattr(arguments, name) is not None and not arguments.poses:
-            return f"--{name} is for --poses; give both or none"
+    if arguments.poses and export.suffix_of(arguments.output) not in toolpath.SUFFIXES:
+        return "--poses needs an --output of kind .csv or .json; a .yaml always has them"
     if arguments.lines is not None and not _is_obj(arguments.output):
         return "--lines is for an --output of kind .obj; leave it out"
     if arguments.round and arguments.output.suffix.lower() == ".blend":
@@ -176,8 +161,6 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
         "go_on_from": arguments.go_on_from,
         "backwards": arguments.backwards,
         "poses": arguments.poses,
-        "standoff": arguments.standoff,
-        "approach": arguments.approach,
         "outward": arguments.outward,
         "lines": (arguments.lines or "strands") if _is_obj(arguments.output) else None,
     }
@@ -189,7 +172,8 @@ def write(
     """Writes the curve, resampled as the options say. Returns the number of points in the file, the
     report's "drawing", if it is one, and else where a curve of fewer points crosses itself."""
     strands = in_space = toolpath.strands_of(grown.curve, grown.data)
-    drawn = export.format_of(arguments.output) is not None
+    kind = export.format_of(arguments.output)
+    drawn = kind is not None
     if drawn:
         strands = export_options.laid(strands, arguments, given, place)
     mesh = None if drawn else toolpath.Mesh(given.problem.vertices, given.problem.faces)
@@ -203,13 +187,17 @@ def write(
         strands, arguments.resample_step, arguments.chord_tolerance, mesh
     )
     spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
-    places = None if drawn else _crossings(strands, spacing, arguments)
+    along_normals = kind is None or kind.name == "ROS"
+    places = _crossings(strands, spacing, arguments) if along_normals else None
     if arguments.part_length is not None:
         overlap = arguments.part_overlap or 0.0
         strands = parts.parted(strands, arguments.part_length, overlap, mesh)
     if drawn:
-        done = export_options.write(path, arguments, strands, given, place, spacing, in_space)
-        return *done, None
+        frames, rate = _frames(arguments, given, grown, place)
+        done = export_options.write(
+            path, arguments, strands, given, place, spacing, in_space, frames, rate
+        )
+        return *done, places
     if ordered.go_on is not None:
         strands = order.gone_on(strands, ordered.go_on, mesh)
         if not strands:
@@ -225,6 +213,17 @@ def write(
         return sum(len(each.places) for each in given_poses), None, places
     toolpath.write(path, strands, core.library_version())
     return sum(len(strand.points) for strand in strands), None, places
+
+
+def _frames(
+    arguments: argparse.Namespace, given: Input, grown: Grown, place: Place
+) -> tuple[list[tuple[float, list[toolpath.Strand]]], float]:
+    """What --bake-frames asks for, resampled as the options say, and how many frames a second."""
+    if arguments.bake_frames is None:
+        return [], 24.0
+    frames, rate = place.blender("--bake-frames").baked_frames(arguments, given, grown)
+    chosen = (arguments.resample_step, arguments.chord_tolerance)
+    return [(time, toolpath.resampled(strands, *chosen)) for time, strands in frames], rate
 
 
 def _crossings(

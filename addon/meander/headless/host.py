@@ -57,6 +57,13 @@ class Blender:
 
         return scene_output.write_scene(path, arguments, given, grown)
 
+    def baked_frames(
+        self, arguments: argparse.Namespace, given: Input, grown: Grown
+    ) -> tuple[list[tuple[float, list[toolpath.Strand]]], float]:
+        from . import scene_output
+
+        return scene_output.baked_frames(arguments, given, grown)
+
     def write_cut_scene(
         self, path: Path, arguments: argparse.Namespace, given: Input, cut: core.CutSurface
     ) -> None:

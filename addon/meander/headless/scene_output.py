@@ -26,6 +26,7 @@ from ..run import bake
 from ..scene import points as point_attributes
 from ..scene import strands as scene_strands
 from ..scene.alignment import store_alignment
+from ..scene.bake import frames_of
 from ..scene.curve_writer import write_curve
 from ..scene.cut import keep_shading, skin_of, write_cut
 from ..scene.density import store_choice
@@ -100,6 +101,27 @@ def write_scene(
         _save(path, arguments.output)
     places = None if light is None else surface_crossings.of_polylines(shown, spacing)
     return len(shown.positions), line, places
+
+
+def baked_frames(
+    arguments: argparse.Namespace, given: Input, grown: Grown
+) -> tuple[list[tuple[float, list[toolpath.Strand]]], float]:
+    """The frames of --bake-frames, each with its strands, and how many are a second. The curve is
+    in the scene from then on."""
+    surface_object, scene = given.surface_object, bpy.context.scene
+    matrix = matrix_of(surface_object, bpy.context.evaluated_depsgraph_get())
+    curve_object = write_curve(grown.curve, surface_object, "Meander", matrix=matrix)
+    with saved_settings():
+        _store(arguments, given, surface_object, curve_object)
+        scene_strands.note_guides(curve_object, grown.guides, keep=True)
+        spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
+        curve_object.meander.figures.least_spacing = spacing
+        _bake(arguments, curve_object)
+    try:
+        frames = frames_of(curve_object, bpy.context, *arguments.bake_frames)
+    except DataError as refusal:
+        raise BadInput(f"the frames cannot be baked: {refusal}") from refusal
+    return frames, scene.render.fps / scene.render.fps_base
 
 
 def write_cut_scene(

@@ -14,11 +14,13 @@ from .files.text import read_plain
 from .files.whole import FileError, whole_file
 from .options.export import ROWS
 from .options.option import Values
-from .toolpaths import embroidery
-from .toolpaths.drawing import VIEWS, Drawing, drawing_of, frame_of
+from .toolpaths import embroidery, lights, ros, usd
+from .toolpaths.drawing import VIEWS, Drawing, drawing_of, frame_of, moved
 from .toolpaths.dxf import dxf_text
 from .toolpaths.gcode import Motion, gcode_text, own_line
+from .toolpaths.gltf import glb_bytes
 from .toolpaths.order import AS_IT_IS, NOTHING_LEFT, Order, backwards, gone_on
+from .toolpaths.poses import poses_of
 from .toolpaths.svg import svg_text
 from .toolpaths.toolpath import Strand
 
@@ -36,6 +38,10 @@ _FOLDED = 3.0
 _OF_LAYOUT = ("layout_as", "visible_only", "force")
 _OF_SIZE = (*_OF_LAYOUT, "unit", "scale", "size", "arc_tolerance")
 _OF_MOTION = tuple(field.name for field in fields(Motion))
+_OF_SCENE = ("layout_as", "visible_only", "scale", "size", "thickness")
+# Of poses of a tool, which tables can have as well.
+POSES = ("standoff", "approach")
+_OF_LIGHTS = ("layout_as", "visible_only", "scale", "size", "pitch")
 
 
 @dataclass(frozen=True)
@@ -46,6 +52,7 @@ class Format:
     suffixes           the first one is added to names without any
     options            the settings of options.export.ROWS that it takes
     flat               everything in it lies in a plane
+    unit               its unit of length, one of drawing.UNITS; empty: it is an option
     """
 
     name: str
@@ -54,6 +61,7 @@ class Format:
     suffixes: tuple[str, ...]
     options: tuple[str, ...]
     flat: bool
+    unit: str = ""
 
 
 FORMATS: tuple[Format, ...] = (
@@ -81,6 +89,7 @@ FORMATS: tuple[Format, ...] = (
         (".dst",),
         (*_OF_LAYOUT, "scale", "size", "stitch_length", "stitch_tolerance", "stitch_least"),
         True,
+        "mm",
     ),
     Format(
         "PES",
@@ -89,6 +98,54 @@ FORMATS: tuple[Format, ...] = (
         (".pes",),
         (*_OF_LAYOUT, "scale", "size", "stitch_length", "stitch_tolerance", "stitch_least"),
         True,
+        "mm",
+    ),
+    Format(
+        "USD",
+        "USD",
+        "Curves with all that is known of their points, for Houdini, Unreal, Maya",
+        usd.SUFFIXES,
+        _OF_SCENE,
+        False,
+        "m",
+    ),
+    Format("GLB", "glTF", "A tube, or lines, for the web and game engines", (".glb",), _OF_SCENE,
+           False, "m"),
+    Format(
+        "XLIGHTS",
+        "xLights Model",
+        "Where the LEDs of a strip lie, for xLights",
+        (".xmodel",),
+        _OF_LIGHTS,
+        False,
+        "mm",
+    ),
+    Format(
+        "WLED",
+        "WLED Map",
+        "Where the LEDs of a strip lie in a plane, for WLED",
+        (".wled.json",),
+        _OF_LIGHTS,
+        True,
+        "mm",
+    ),
+    Format(
+        "PIXELBLAZE",
+        "Pixelblaze Map",
+        "Where the LEDs of a strip lie, for Pixelblaze",
+        (".pixelblaze.json",),
+        _OF_LIGHTS,
+        False,
+        "mm",
+    ),
+    Format(
+        "ROS",
+        "ROS Poses",
+        "Poses of a robot's tool, as messages of ROS",
+        (".yaml",),
+        ("ros_message", *POSES),
+        False,
+        "m",
     ),
 )
 SUFFIXES = tuple(suffix for kind in FORMATS for suffix in kind.suffixes)
@@ -97,18 +154,25 @@ DEFAULTS: Values = {row.setting: row.default for row in ROWS}
 
 def format_of(path: Path) -> Format | None:
     """The format of a file by its name; None: it is none of these."""
-    suffix = path.suffix.lower()
+    suffix = suffix_of(path)
     return next((kind for kind in FORMATS if suffix in kind.suffixes), None)
+
+
+def suffix_of(path: Path) -> str:
+    """The end of a file's name that says its format, in small letters, such as ".wled.json"."""
+    name = path.name.lower()
+    longest = max((s for s in SUFFIXES if name.endswith(s) and name != s), key=len, default="")
+    return longest or path.suffix.lower()
 
 
 def is_flat(kind: Format, values: Values) -> bool:
     """Whether a drawing lies in a plane."""
-    return kind.flat or values["layout_as"] != "space"
+    return kind.flat or "layout_as" in kind.options and values["layout_as"] != "space"
 
 
 def is_seen(kind: Format, layout: str) -> bool:
     """Whether a layout shows the curve as an eye sees it, so that the surface can hide it."""
-    return layout != "uv" and (kind.flat or layout != "space")
+    return layout != "uv" and is_flat(kind, {"layout_as": layout})
 
 
 def prepared(
@@ -118,6 +182,8 @@ def prepared(
     metres: float,
     spacing: float = 0.0,
     order: Order = AS_IT_IS,
+    frames: Sequence[tuple[float, Sequence[Strand]]] = (),
+    rate: float = 24.0,
 ) -> Drawing:
     """The drawing that a file of a format holds.
 
@@ -127,29 +193,52 @@ def prepared(
     spacing   the least spacing of neighbouring strands, in scene units; 0: it is not known
     order     from where the drawing goes on and which way, but not where it begins: see
               in_scene_units(). What is left of it lies where it lay in the whole
+    frames    times and strands, laid likewise, of a curve that moves, for takes_frames()
+    rate      how many of these times are a second
 
     Of an embroidery it is the thread, stitch by stitch. Raises FileError with one sentence for what
     is no drawing.
     """
-    drawing = drawing_of(strands, *_frame(kind, values, metres), spacing=spacing)
+    drawing = sized(strands, kind, values, metres, spacing)
     if order.go_on is not None:
         drawing = replace(drawing, strands=gone_on(drawing.strands, order.go_on))
     if order.backwards:
         drawing = replace(drawing, strands=backwards(drawing.strands))
     if not drawing.strands:
         raise FileError(NOTHING_LEFT)
+    if frames:
+        origin, factor = frame_of(strands, *_frame(kind, values, metres))
+        turned = [(time, [moved(each, origin, factor) for each in laid]) for time, laid in frames]
+        drawing = replace(drawing, frames=turned, rate=rate)
     if kind.name in ("DST", "PES"):
         return embroidery.stitched(
             drawing, *(values[f"stitch_{name}"] for name in ("length", "tolerance", "least"))
         )
-    if values["arc_tolerance"] > 0.0:
+    if "pitch" in kind.options:
+        return lights.placed(drawing, values["pitch"])
+    if "arc_tolerance" in kind.options and values["arc_tolerance"] > 0.0:
         return drawing.with_arcs(values["arc_tolerance"])
     return drawing
 
 
+def sized(
+    strands: Sequence[Strand], kind: Format, values: Values, metres: float, spacing: float = 0.0
+) -> Drawing:
+    """Strands in the unit and the size of a format, with the points that they have. See prepared().
+    """
+    return drawing_of(strands, *_frame(kind, values, metres), spacing=spacing)
+
+
+def has_own_points(kind: Format) -> bool:
+    """Whether a format has points of the curve, which may be chosen, and not stitches or lights."""
+    return kind.name not in ("DST", "PES") and "pitch" not in kind.options
+
+
 def _frame(kind: Format, values: Values, metres: float) -> tuple[str, float, float, float, bool]:
-    unit = values["unit"] if "unit" in kind.options else "mm"
-    return unit, metres, values["scale"], values["size"], is_flat(kind, values)
+    scale, size = (
+        (values["scale"], values["size"]) if "scale" in kind.options else (1.0, 0.0)
+    )
+    return kind.unit or values["unit"], metres, scale, size, is_flat(kind, values)
 
 
 def in_scene_units(
@@ -161,9 +250,15 @@ def in_scene_units(
     return wanted / factor + origin[: len(wanted)]
 
 
+def takes_frames(kind: Format | None) -> bool:
+    """Whether a format holds a curve that moves."""
+    return kind is not None and kind.name == "USD"
+
+
 def lacks_plane(kind: Format, values: Values) -> bool:
     """Whether arcs are asked for, which lie in a plane, of a drawing that does not."""
-    return values["arc_tolerance"] > 0.0 and not is_flat(kind, values)
+    asked = "arc_tolerance" in kind.options and values["arc_tolerance"] > 0.0
+    return asked and not is_flat(kind, values)
 
 
 @dataclass(frozen=True)
@@ -178,9 +273,11 @@ class Unusable:
     edge: bool
 
 
-def unusable(drawing: Drawing) -> Unusable | None:
+def unusable(drawing: Drawing, kind: Format, values: Values) -> Unusable | None:
     """Whether a drawing is larger than any machine, or smaller than a step of one, or a surface
-    that is seen edge on."""
+    that is seen edge on, and is not to be written anyway. Only of formats of machines."""
+    if "force" not in kind.options or values["force"]:
+        return None
     low, high = drawing.box()
     sides = (high - low)[:2] if drawing.flat else high - low
     widest = float(sides.max())
@@ -278,19 +375,43 @@ def write(
     version: str,
     head: Sequence[str] | None = None,
     foot: Sequence[str] | None = None,
+    frame_id: str = ros.FRAME,
 ) -> None:
     """Writes a drawing, whole or not at all. Raises FileError.
 
     head, foot   lines of G-code in place of those of the machine
+    frame_id     the frame of reference of messages of ROS
     """
+    width = values["thickness"] * drawing.spacing
     if kind.name in ("DST", "PES"):
         content = embroidery.embroidery_bytes(drawing, title, kind.suffixes[0])
-    elif kind.name == "SVG":
-        content = svg_text(drawing, values["line_width"], title, version).encode("utf-8")
-    elif kind.name == "DXF":
-        content = dxf_text(drawing).encode("ascii")
-    else:
+    elif kind.name == "USD":
+        content = usd.usd_bytes(drawing, width, title, version, path.suffix.lower())
+    elif kind.name == "GLB":
+        content = glb_bytes(drawing, width, title, version)
+    elif kind.name == "GCODE":
         motion = Motion(**{name: values[name] for name in _OF_MOTION})
         content = gcode_text(drawing, motion, title, version, head, foot).encode("utf-8")
+    else:
+        content = _text(kind, drawing, values, title, version, frame_id).encode("utf-8")
     with whole_file(path) as temporary:
         temporary.write_bytes(content)
+
+
+def _text(
+    kind: Format, drawing: Drawing, values: Values, title: str, version: str, frame_id: str
+) -> str:
+    """The content of a file of text that needs no more than the drawing and a few options."""
+    if kind.name == "SVG":
+        return svg_text(drawing, values["line_width"], title, version)
+    if kind.name == "DXF":
+        return dxf_text(drawing)
+    if kind.name == "XLIGHTS":
+        return lights.xlights_text(drawing, values["pitch"], title)
+    if kind.name == "WLED":
+        return lights.wled_text(drawing, values["pitch"], title)
+    if kind.name == "PIXELBLAZE":
+        return lights.pixelblaze_text(drawing)
+    away, farther = (values[name] * drawing.of_scene_unit for name in POSES)
+    poses = [poses_of(strand, away, farther) for strand in drawing.strands]
+    return ros.ros_text(poses, values["ros_message"], frame_id, version)

@@ -9,6 +9,7 @@ import bpy
 import numpy as np
 
 from .. import core
+from ..model.toolpaths import toolpath
 from . import assets
 from . import points as point_attributes
 from .blender_versions import fcurves, shape_key_points
@@ -206,6 +207,30 @@ def on_output() -> None:
     for thing in bpy.data.objects:
         if thing.type == "CURVE" and thing.library is None and looks_differ(thing):
             pass_on_look(thing)
+
+
+def frames_of(
+    result: bpy.types.Object, context: bpy.types.Context, first: int, last: int
+) -> list[tuple[float, list[toolpath.Strand]]]:
+    """The baked frames of a result from one to another, each with its strands; none where nothing
+    is baked. Raises DataError."""
+    scene = context.scene
+    bake, present = result.meander.bake, scene.frame_current
+    if bake is None:
+        return []
+    frames = []
+    try:
+        for frame in range(first, last + 1):
+            scene.frame_set(frame)
+            depsgraph = context.evaluated_depsgraph_get()
+            # The keys of an object's visibility reach the object with the frame.
+            for shown in (each for each in bake.objects if not each.hide_render):
+                frames.append(
+                    (float(frame), point_attributes.strands_of_frame(result, shown, depsgraph))
+                )
+    finally:
+        scene.frame_set(present)
+    return frames
 
 
 def clear(result: bpy.types.Object) -> None:

@@ -195,14 +195,16 @@ def farthest(points: np.ndarray, vertices: np.ndarray, faces: np.ndarray) -> flo
 
 
 def polylines_of(
-    result: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+    result: bpy.types.Object, depsgraph: bpy.types.Depsgraph, shown: bpy.types.Object | None = None
 ) -> tuple[core.Polylines, np.ndarray, np.ndarray]:
     """A result's strands in world units with normals of the surface, and for every point the
     triangle of the surface that holds it and the weights of its corners.
 
+    shown   a baked frame of it, whose strands are taken in place of its own
+
     Raises DataError with one sentence for what cannot be used.
     """
-    strands = strands_of_curve(result, depsgraph)
+    strands = strands_of_curve(shown or result, depsgraph)
     vertices, faces = triangles_of(result.meander.surface, depsgraph)
     index, weights = bind(strands.points, vertices, faces)
     spacing = result.meander.figures.least_spacing or result.meander.spacing
@@ -219,3 +221,11 @@ def strands_of_result(
     matrix = matrix_of(result.meander.surface, depsgraph)
     radii = medial_radii_of(result, len(curve.positions), matrix)
     return toolpath.strands_of(curve, data_of(index, weights, radii))
+
+
+def strands_of_frame(
+    result: bpy.types.Object, shown: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> list[toolpath.Strand]:
+    """The strands of a baked frame of a result, in the frame of its scene. Raises DataError."""
+    curve, index, weights = polylines_of(result, depsgraph, shown)
+    return toolpath.strands_of(curve, data_of(index, weights, None))

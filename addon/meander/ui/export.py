@@ -16,9 +16,10 @@ from ..model import export
 from ..model.files.whole import FileError
 from ..model.geometry import surface_crossings
 from ..model.options.export import ROWS
-from ..model.toolpaths import embroidery, toolpath
-from ..model.toolpaths.drawing import Drawing, axes_of, drawing_of, seen_along
+from ..model.toolpaths import embroidery, ros, toolpath, usd
+from ..model.toolpaths.drawing import Drawing, axes_of, seen_along
 from ..run.lasting import Activity
+from ..scene.bake import frames_of
 from ..scene.errors import DataError
 from ..scene.identity import Key
 from ..scene.layouts import axes_of_view, has_map, metres_of, unrolled_strands
@@ -122,6 +123,12 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         min=1e-9,
         precision=4,
     )
+    animated: BoolProperty(
+        name="Baked Frames",
+        description="Write the frames that were baked from the curve, if there are any, as samples "
+        "in time",
+        default=True,
+    )
     selected: BoolProperty(
         name="All Selected",
         description="Draw all selected curves that Meander has made, not only the active one",
@@ -136,6 +143,9 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         name="Footer",
         description="File of lines of G-code at the end, in place of those of the machine",
         subtype="FILE_PATH",
+    )
+    frame_id: StringProperty(
+        name="Frame", description="Frame of reference that messages of ROS name", default=ros.FRAME
     )
     uv_map: StringProperty(
         name="UV Map", description="UV map that lays the curve flat; the active one if empty"
@@ -176,7 +186,12 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         if kind is not None and kind.name in ("DST", "PES"):
             if not embroidery.is_there():
                 layout.label(text=f"{embroidery.PACKAGE} is not installed", icon="ERROR")
-            return  # stitches are points of their own
+        if kind is not None and kind.name == "ROS":
+            layout.prop(self, "frame_id")
+        if export.takes_frames(kind):
+            layout.prop(self, "animated")
+        if kind is not None and not export.has_own_points(kind):
+            return
         layout.prop(self, "resample")
         if self.resample == "STEP":
             layout.prop(self, "step")
@@ -196,13 +211,13 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
 
     def _with_suffix(self) -> Path:
         path = Path(self.filepath)
-        suffix = path.suffix.lower()
+        suffix, wanted = export.suffix_of(path), _SUFFIXES[self.file_format]
         kind = _BY_NAME.get(self.file_format)
-        if kind is not None and suffix in kind.suffixes:
+        if suffix == wanted or kind is not None and suffix in kind.suffixes:
             return path
         known = suffix in (*_TABLES.values(), *export.SUFFIXES)
-        wanted = _SUFFIXES[self.file_format]
-        return path.with_suffix(wanted) if known else path.with_name(path.name + wanted)
+        stem = path.name[: -len(suffix)] if known else path.name
+        return path.with_name(stem + wanted)
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         take_up_refused(self, result_of(context))
@@ -269,7 +284,9 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
     def _look_at_size(self, context: bpy.types.Context) -> None:
         """Says how large the drawing will be, or why there is none; what is unrolled begins as
         large as the page of the preferences."""
-        on_page = self.layout_as == "UV" and self.scale == 1.0
+        kind = _BY_NAME.get(self.file_format)
+        of_machine = kind is not None and "force" in kind.options
+        on_page = of_machine and self.layout_as == "UV" and self.scale == 1.0
         if self.size == self._by_page:  # nobody has chosen another
             self.size = 0.0
             sides = self._sides(context) if on_page else None
@@ -300,14 +317,11 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         values = self.option_values() | {"visible_only": False, "arc_tolerance": 0.0}
         try:
             laid = self._laid_out(kind, values, context)
-            drawing = drawing_of(
-                laid, values["unit"], metres_of(context.scene), values["scale"], values["size"],
-                flat=kind.flat or values["layout_as"] != "space",
-            )  # fmt: skip
+            drawing = export.sized(laid, kind, values, metres_of(context.scene))
         except (DataError, core.MeanderError, FileError) as error:
             self._is_refused = True
             return sentence_of(error)
-        problem = None if values["force"] else export.unusable(drawing)
+        problem = export.unusable(drawing, kind, values)
         self._is_refused = problem is not None
         return drawing.size_text() if problem is None else sentence_of(problem.what)
 
@@ -315,7 +329,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         """A known suffix says what the format is."""
         path = Path(self.filepath)
         kind = export.format_of(path)
-        table = path.suffix.lower()[1:].upper()
+        table = export.suffix_of(path)[1:].upper()
         if kind is not None:
             self.file_format = kind.name
         elif table in _TABLES:
@@ -355,16 +369,32 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         values, title = self.option_values(), result_of(context).name
         if export.lacks_plane(kind, values):
             raise FileError("Arcs lie in a plane; choose a Layout that is flat")
+        if path.suffix.lower() in (".usdc", ".usd") and not usd.is_there():
+            raise FileError(usd.missing_text())
         if kind.name in ("DST", "PES") and not embroidery.is_there():
             modules = bpy.utils.user_resource("SCRIPTS", path="addons/modules")
             raise FileError(embroidery.missing_text(modules))
         strands = self._laid_out(kind, values, context)
-        if kind.name not in ("DST", "PES"):
-            strands = self._resampled(strands, None)
         result = result_of(context)
+        if export.has_own_points(kind):
+            strands = self._resampled(strands, None)
         spacing = result.meander.figures.least_spacing
-        drawing = export.prepared(strands, kind, values, metres_of(context.scene), spacing)
-        problem = None if values["force"] else export.unusable(drawing)
+        if "thickness" in kind.options:
+            spacing = spacing or result.meander.spacing
+        frames: list[tuple[float, list[toolpath.Strand]]] = []
+        if export.takes_frames(kind) and self.animated and not export.is_flat(kind, values):
+            frames = [
+                (frame, self._resampled(moved, None))
+                for frame, moved in frames_of(
+                    result, context, context.scene.frame_start, context.scene.frame_end
+                )
+            ]
+        render = context.scene.render
+        drawing = export.prepared(
+            strands, kind, values, metres_of(context.scene), spacing,
+            frames=frames, rate=render.fps / render.fps_base,
+        )  # fmt: skip
+        problem = export.unusable(drawing, kind, values)
         if problem is not None:
             way = "choose another Layout" if problem.edge else "choose a Size or Scale"
             raise FileError(f"The drawing {problem.what}; {way}, or Write Anyway")
@@ -372,13 +402,14 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             export.lines_of(Path(bpy.path.abspath(name))) if name else None
             for name in (self.header, self.footer)
         )
-        export.write(path, kind, drawing, values, title, core.VERSION, head, foot)
+        export.write(path, kind, drawing, values, title, core.VERSION, head, foot, self.frame_id)
         return drawing
 
     def _laid_out(
         self, kind: export.Format, values: dict[str, Any], context: bpy.types.Context
     ) -> list[toolpath.Strand]:
-        layout, depsgraph = values["layout_as"], context.evaluated_depsgraph_get()
+        layout = values["layout_as"] if "layout_as" in kind.options else "space"
+        depsgraph = context.evaluated_depsgraph_get()
         results = _results(context) if self.selected else [result_of(context)]
         strands = [strand for each in results for strand in strands_of_result(each, depsgraph)]
         surfaces = list(dict.fromkeys(result.meander.surface for result in results))
@@ -401,7 +432,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
 # What a refused dialog hands on; where it was and which files are listed, Blender knows.
 _KEPT = frozenset(
     {"filepath", "file_format", "resample", "step", "tolerance", "selected", "header", "footer"}
-    | {"uv_map"}
+    | {"uv_map", "frame_id", "animated"}
     | set(ExportOptions.__annotations__)
 )
 
@@ -451,7 +482,7 @@ def _view_of(context: bpy.types.Context) -> bpy.types.RegionView3D | None:
 def _menu(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
     self.layout.operator(
         MEANDER_OT_export_toolpath.bl_idname,
-        text="Meander Curve (.svg, .dxf, .gcode, .dst, .pes, .csv)",
+        text="Meander Curve (.svg, .dxf, .gcode, .dst, .usd, .glb, .csv, ...)",
     )
 
 

@@ -8,12 +8,15 @@ from __future__ import annotations
 
 from ..toolpaths.embroidery import LEAST_STITCH, LONGEST_STITCH
 from ..toolpaths.gcode import MACHINES, TOOLS, Motion
+from ..toolpaths.lights import PITCH
+from ..toolpaths.ros import MESSAGES
 from .option import Flag, Option
 
 PANEL = "File > Export"
 GROUP = "export"
 STITCH_LENGTH = 2.5
 LINE_WIDTH = 0.3
+THICKNESS = 0.25
 
 ROWS: tuple[Option, ...] = (
     Option(
@@ -448,6 +451,103 @@ ROWS: tuple[Option, ...] = (
             least=0.1,
             greatest=LONGEST_STITCH,
             entry="least_stitch",
+        ),
+    ),
+    Option(
+        "thickness",
+        "Thickness",
+        "Diameter of the curve in USD and of the tube in glTF, in spacings; 0 is lines in glTF, "
+        "and in USD no width of their own",
+        PANEL,
+        default=THICKNESS,
+        least=0.0,
+        greatest=2.0,
+        soft_greatest=1.0,
+        flag=Flag(
+            "--thickness",
+            "diameter of the curve in USD, and of the tube in glTF, in spacings, from 0 to 2; 0: "
+            "lines; default: 0.25",
+            GROUP,
+            "T",
+            least=0.0,
+            greatest=2.0,
+            entry="thickness",
+        ),
+    ),
+    Option(
+        "pitch",
+        "Pitch",
+        "From one LED of a strip to the next, in millimetres: 16.67 of 60 a metre",
+        PANEL,
+        default=PITCH,
+        least=0.1,
+        greatest=1e6,
+        soft_least=1.0,
+        soft_greatest=100.0,
+        digits=3,
+        flag=Flag(
+            "--pitch",
+            "from one LED of a strip to the next, in mm; default: 16.667, as of 60 a metre",
+            GROUP,
+            "D",
+            least=0.1,
+            greatest=1e6,
+            entry="pitch",
+        ),
+    ),
+    Option(
+        "ros_message",
+        "Message",
+        "The message of ROS that a file of poses holds, one for each strand",
+        PANEL,
+        kind=str,
+        default=MESSAGES[0][0],
+        choices=MESSAGES,
+        flag=Flag(
+            "--ros-message",
+            "the message of ROS that a .yaml holds, one for each strand; default: pose_array",
+            GROUP,
+            entry="ros_message",
+        ),
+    ),
+    Option(
+        "standoff",
+        "Standoff",
+        "Distance of a robot's tool from the surface, along its normal, in scene units",
+        PANEL,
+        default=0.0,
+        least=-1e6,
+        greatest=1e6,
+        soft_least=-1.0,
+        soft_greatest=1.0,
+        digits=3,
+        flag=Flag(
+            "--standoff",
+            "distance of the tool from the surface in --poses and .yaml, in scene units; default: "
+            "0",
+            GROUP,
+            "D",
+            entry="standoff",
+        ),
+    ),
+    Option(
+        "approach",
+        "Approach",
+        "How much farther from the surface a robot's tool begins and ends each strand, in scene "
+        "units",
+        PANEL,
+        default=0.0,
+        least=0.0,
+        greatest=1e6,
+        soft_greatest=1.0,
+        digits=3,
+        flag=Flag(
+            "--approach",
+            "in --poses and .yaml: begin and end each strand this much farther from the surface",
+            GROUP,
+            "D",
+            above=0.0,
+            entry="approach",
         ),
     ),
 )

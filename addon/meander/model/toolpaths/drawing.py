@@ -16,7 +16,7 @@ from ..geometry.flat_crossings import crossings, segments_of
 from .toolpath import Strand, strand_of
 
 # Metres, and the name that files use.
-UNITS = {"mm": 0.001, "cm": 0.01, "in": 0.0254}
+UNITS = {"mm": 0.001, "cm": 0.01, "in": 0.0254, "m": 1.0}
 
 # To the right and up on paper: what one sees from above, from the front and from the right.
 VIEWS = {
@@ -28,6 +28,8 @@ VIEWS = {
 # How finely arcs are looked at for crossings, in spacings.
 _FLAT = 1e-3
 
+# From the origin, in sizes, beyond which single precision would be seen in a file that has it.
+_FAR = 100.0
 
 
 @dataclass(frozen=True)
@@ -37,6 +39,10 @@ class Drawing:
     flat   they lie in the plane z = 0, with their lower left corner at the origin
     spacing   the least spacing of neighbouring strands, in the unit; 0: it is not known
     moves   of a flat drawing: lines and arcs in place of the points of each strand; None: none
+    lights  its points are lights, and nothing is drawn between them
+    frames  of a curve that moves: times and strands, in the order of time; empty: it does not
+    rate    how many times are a second
+    of_scene_unit   how long a scene unit is, in the unit
     """
 
     strands: Sequence[Strand]
@@ -44,6 +50,10 @@ class Drawing:
     flat: bool
     spacing: float = 0.0
     moves: Sequence[Moves] | None = None
+    lights: bool = False
+    frames: Sequence[tuple[float, Sequence[Strand]]] = ()
+    rate: float = 24.0
+    of_scene_unit: float = 1.0
 
     @property
     def millimetres(self) -> float:
@@ -65,7 +75,7 @@ class Drawing:
 
     def crossings(self) -> NDArray[np.float64]:
         """The places (k, 2) where a flat drawing crosses itself."""
-        if not self.flat:
+        if not self.flat or self.lights:
             return np.empty((0, 2))
         ways = [strand.points for strand in self.strands]
         closed = [strand.closed for strand in self.strands]
@@ -89,7 +99,10 @@ class Drawing:
             turns = np.concatenate([moves.turns for moves in self.moves])
             arcs = int(np.count_nonzero(turns))
             return f"{size}, {paths}, {arcs:,} arcs and {len(turns) - arcs:,} lines"
-        return f"{size}, {paths}, {self.point_count:,} points"
+        points = f"{self.point_count:,} {'lights' if self.lights else 'points'}"
+        if self.frames:
+            return f"{size}, {len(self.frames):,} frames, {paths} and {points} in the present one"
+        return f"{size}, {paths}, {points}"
 
     def with_arcs(self, tolerance: float) -> Drawing:
         """The same with lines and arcs within a tolerance in millimetres; it has to be flat."""
@@ -161,20 +174,27 @@ def drawing_of(
     numbers, or all of them in one place.
     """
     origin, factor = frame_of(strands, unit, metres, scale, size, flat)
-    return Drawing(
-        [
-            replace(
-                strand,
-                length=strand.length * factor,
-                points=(strand.points - origin) * factor,
-                arc_lengths=strand.arc_lengths * factor,
-            )
-            for strand in strands
-        ],
-        unit,
-        flat,
-        spacing * factor,
+    laid = [moved(strand, origin, factor) for strand in strands]
+    return Drawing(laid, unit, flat, spacing * factor, of_scene_unit=factor)
+
+
+def moved(strand: Strand, origin: NDArray[np.float64], factor: float) -> Strand:
+    """A strand with another origin, (3,), and its lengths multiplied."""
+    return replace(
+        strand,
+        length=strand.length * factor,
+        points=(strand.points - origin) * factor,
+        arc_lengths=strand.arc_lengths * factor,
+        radii=None if strand.radii is None else strand.radii * factor,
     )
+
+
+def far_away(strands: Sequence[Strand]) -> NDArray[np.float64]:
+    """What to subtract from the points, (3,), before they are rounded to single precision: the
+    middle of their box if that is far from the origin, else 0."""
+    low, high = _box(strands)
+    middle = (low + high) / 2.0
+    return middle if np.abs(middle).max() > _FAR * float((high - low).max()) else np.zeros(3)
 
 
 def ring(strand: Strand) -> NDArray[np.float64]:

@@ -21,6 +21,11 @@ _UNKNOWN = "\ufffd"
 _INKSCAPE = ' xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
 
 
+def xml_text(text: str) -> str:
+    """A text as XML can hold it, before its signs are escaped."""
+    return _NO_XML.sub(_UNKNOWN, text)
+
+
 def _path_of(moves: Moves, shift: np.ndarray, decimals: int) -> str:
     """Lines and arcs as the commands of a path; the y axis points down, which turns arcs around."""
     words = []
@@ -50,7 +55,7 @@ def _path(
 
 def _layer(name: str) -> str:
     """The beginning of a layer, as Inkscape and what reads its files have them."""
-    label = quoteattr(_NO_XML.sub(_UNKNOWN, name))
+    label = quoteattr(xml_text(name))
     return f'<g inkscape:groupmode="layer" inkscape:label={label}>'
 
 
@@ -63,7 +68,7 @@ def _head(
         f'<svg xmlns="http://www.w3.org/2000/svg"{inkscape} version="1.1" '
         f'width="{sides[0]}{unit}" '
         f'height="{sides[1]}{unit}" viewBox="0 0 {sides[0]} {sides[1]}">',
-        f"<title>{escape(_NO_XML.sub(_UNKNOWN, title))}</title>",
+        f"<title>{escape(xml_text(title))}</title>",
         f"<desc>Meander {escape(version)}; unit {unit}</desc>",
         f'<g fill="none" stroke="#000000" stroke-width="{number(width, _DECIMALS[unit])}" '
         'stroke-linecap="round" stroke-linejoin="round">',
