@@ -26,6 +26,7 @@ from stage import (
     splines_of,
     step,
     suzanne_in_view,
+    undo,
     until,
     window_override,
 )
@@ -88,15 +89,31 @@ def after_a_run() -> Iterator[float]:
     yield from seen("live_after")
 
     step("what is undone is not done again")
-    bpy.ops.ed.undo()
+    yield from undo()
     assert splines_of(RESULT) == first
     yield 0.4
     assert ended()
     assert splines_of(RESULT) == first
-    bpy.ops.ed.redo()
+    yield from undo(redo=True)
     yield 0.4
     assert ended()
     assert splines_of(RESULT) == second
+
+    step("a change and the curve that followed it are one step of undo, and of redo")
+    for redo in (False, True, False, True):
+        yield from undo(redo)
+        wanted, spacing = (second, 0.95 * SPACING) if redo else (first, SPACING)
+        yield 0.3
+        assert ended() and splines_of(RESULT) == wanted
+        for name in (SURFACE, RESULT):
+            assert abs(bpy.data.objects[name].meander.spacing - spacing) < 1e-6, (name, redo)
+    step("what stands between them is a step of its own")
+    bpy.data.objects[RESULT].location.x += 1.0
+    bpy.ops.ed.undo_push(message="Move")
+    yield from undo()
+    yield 0.3
+    assert splines_of(RESULT) == second and abs(bpy.data.objects[RESULT].location.x) < 1e-6
+    assert abs(bpy.data.objects[SURFACE].meander.spacing - 0.95 * SPACING) < 1e-6
 
     step("Esc takes the last wish back, and the curve keeps what it was")
     activate(SURFACE)

@@ -39,7 +39,7 @@ _OPTIONS = frozenset(
 )
 _OTHERS = frozenset({"spacing", "alignment_weight", "factor_0", "factor_1", "use_density_range"})
 # Densities that are read at the vertices of the mesh, so that painting changes them.
-_PAINTED = frozenset({"GROUP", "ATTRIBUTE", "COLOR"})
+PAINTED = frozenset({"GROUP", "ATTRIBUTE", "COLOR"})
 
 
 def is_live(setting: str) -> bool:
@@ -52,7 +52,7 @@ def differs(before: Meaning, now: Meaning) -> bool:
     live = [pair for pair in zip(before.settings, now.settings) if is_live(pair[0][0])]
     if any(mine != theirs for mine, theirs in live):
         return True
-    painted = dict(now.settings).get("density_source") in _PAINTED
+    painted = dict(now.settings).get("density_source") in PAINTED
     return painted and before.shape[0] == now.shape[0] and before.shape[1] != now.shape[1]
 
 

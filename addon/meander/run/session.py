@@ -31,7 +31,7 @@ from ..scene.linked_settings import settings_of
 from ..scene.meshes import in_polygons
 from ..scene.preparation import remember_problem
 from ..scene.results import is_present
-from . import edit_mode, estimate, live, seeds, suspended
+from . import edit_mode, estimate, live, one_step, seeds, suspended
 from .lasting import Activity
 from .meaning import meaning_of
 from .plan import Plan, with_looks
@@ -372,6 +372,7 @@ class Session:
         undisturbed = choice is None or choice.is_still_made(context.view_layer)
         with edit_mode.left(context):
             result = write_result(context, self.plan, self.stepper, outcome, undisturbed)
+        one_step.note(result, context)
         _snapshot, figures, stop_reason = outcome
         if result.meander.live:
             # The next one updates it, and leaves alone what is active then.

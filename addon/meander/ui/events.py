@@ -12,7 +12,7 @@ from typing import Any
 import bpy
 from bpy.app.handlers import persistent
 
-from ..run import estimate, lasting, motion, rounding
+from ..run import estimate, lasting, motion, one_step, rounding
 from ..scene import (
     after_undo,
     bake,
@@ -40,10 +40,10 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
         rounding.on_output,
         bake.on_output,
     ),
-    "undo_pre": (changes.on_undo_begin, after_undo.begin),
-    "undo_post": (*_READ_BACK, solid_view.give_back, lasting.end_undone),
+    "undo_pre": (changes.on_undo_begin, after_undo.begin, one_step.on_undo_begin),
+    "undo_post": (*_READ_BACK, solid_view.give_back, lasting.end_undone, one_step.on_undo),
     "redo_pre": (changes.on_undo_begin, after_undo.begin),
-    "redo_post": (*_READ_BACK, solid_view.after_redo, lasting.end_undone),
+    "redo_post": (*_READ_BACK, solid_view.after_redo, lasting.end_undone, one_step.on_redo),
     "depsgraph_update_post": (
         changes.on_update,
         after_undo.on_update,
@@ -67,6 +67,7 @@ _TIMERS = (
     drawing.watch,
     look_panel.pass_on,
     look_panel.draw_ordered,
+    one_step.go_on,
 )
 
 # What ends with the add-on, the running curve first.

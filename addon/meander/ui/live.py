@@ -14,7 +14,7 @@ from dataclasses import replace
 import bpy
 
 from .. import core
-from ..run import estimate, live, session
+from ..run import estimate, live, one_step, session
 from ..run.lasting import Memory
 from ..run.meaning import Meaning, meaning_of
 from ..run.plan import Plan, plan_of
@@ -47,6 +47,14 @@ class MEANDER_OT_live(Watched, bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         return poll_run(cls, context)
+
+    def _finish(self, context: bpy.types.Context, keep: bool) -> set[str]:
+        plan = self._session.plan
+        outcome = super()._finish(context, keep)
+        result = plan.result.find() if plan.result is not None else None
+        if outcome == {"FINISHED"} and result is not None:
+            one_step.note_change(result)
+        return outcome
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         if not self._begin(context):

@@ -161,6 +161,9 @@ class MeanderFigures(bpy.types.PropertyGroup):
     look_material: PointerProperty(type=bpy.types.Material, name="Material of the Look")
     look_spacing: FloatProperty(name="Spacing of the Look", options=set())
     look_follows: FloatProperty(name="Radius Follows Spacing in the Look", options=set())
+    # How often Live has changed the curve, and what the settings asked for at the last run.
+    live_changes: IntProperty(name="Live Changes", options=set())
+    asked: StringProperty(name="Asked For", options=set())
     # The tolerance with which the drawn line was made, and of which points.
     round_told: FloatProperty(name="Round of the Drawn Line", options=set())
     round_of: StringProperty(name="Points of the Drawn Line", options=set())
