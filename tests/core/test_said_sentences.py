@@ -127,7 +127,6 @@ TRIES = """
 --output out.wled.json --size 9000 --pitch 0.5
 --output out.xmodel --scale 1000 --pitch 0.1
 --output out.svg --lines pairs
---output out.blend --round 0.1
 --points mesh
 --spacing nan
 --mask-threshold 5 --mask-group a

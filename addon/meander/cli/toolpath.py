@@ -132,8 +132,6 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
         return "--poses needs an --output of kind .csv or .json; a .yaml always has them"
     if arguments.lines is not None and not _is_obj(arguments.output):
         return "--lines is for an --output of kind .obj; leave it out"
-    if arguments.round and arguments.output.suffix.lower() == ".blend":
-        return "--round is for files of lines; in a .blend, set Round in the look of the curve"
     if arguments.points is not None and arguments.output.suffix.lower() != ".blend":
         return "--points needs an --output of kind .blend; .csv and .json have the same in columns"
     return None

@@ -188,7 +188,9 @@ def _bake(arguments: argparse.Namespace, curve_object: bpy.types.Object) -> None
     if arguments.bake_frames is None:
         return
     try:
-        bake.bake_motion(curve_object, bpy.context, *arguments.bake_frames)
+        bake.bake_motion(
+            curve_object, bpy.context, *arguments.bake_frames, arguments.round or 0.0
+        )
     except DataError as refusal:
         raise BadInput(f"the frames cannot be baked: {refusal}") from refusal
 

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 import bpy
 
 from ..model.stages import stages_of
+from ..scene import drawn_line
 from ..scene.bake import Frames
 from ..scene.evaluated import matrix_of
 from ..scene.meshes import triangles_of
@@ -35,9 +36,15 @@ def _all_or_nothing(
 
 
 def bake_motion(
-    result: bpy.types.Object, context: bpy.types.Context, first: int, last: int
+    result: bpy.types.Object,
+    context: bpy.types.Context,
+    first: int,
+    last: int,
+    rounding: float | None = None,
 ) -> bpy.types.Collection:
     """Writes the frames `first` to `last` of a result on its moving surface.
+
+    rounding   how far turns may be rounded, in spacings; None: as far as in the look of the result
 
     The curve is taken as it lies in the present frame, which therefore has to be one in which it
     fits; from there the frames are visited in order. The present frame comes back at the end.
@@ -45,6 +52,7 @@ def bake_motion(
     Raises DataError or core.MeanderError; what was baked earlier stays then.
     """
     scene, settings = context.scene, result.meander
+    rounding = drawn_line.tolerance_of(result) if rounding is None else rounding
     present = scene.frame_current
     follow, settings.follow = settings.follow, False  # two followers would take turns
     frames = Frames(result, scene)
@@ -52,7 +60,7 @@ def bake_motion(
     try:
         with _all_or_nothing(frames, context) as show:
             depsgraph = context.evaluated_depsgraph_get()
-            follower = follower_of(result, scene, depsgraph)
+            follower = follower_of(result, scene, depsgraph, rounding)
             sticks = settings.motion == "STICK"
             numbers, places, offsets = [], [], None
             for frame in range(first, last + 1):
@@ -86,11 +94,11 @@ def bake_growth(
     plan = plan_of(result, context.scene, context.evaluated_depsgraph_get(), restart=True)
     frames = Frames(result, context.scene)
     with _all_or_nothing(frames, context) as show:
-        grown = GrownCurve(plan, plan.problem)
+        grown = GrownCurve(plan, plan.problem, drawn_line.tolerance_of(result))
         with grown.flow as flow:
             reason, iteration, frame = "running", 0, first
             while True:
-                frames.add(frame, grown.polylines()[0], plan.matrix)
+                frames.add(frame, grown.shown()[0], plan.matrix)
                 if reason != "running":
                     break
                 frame += 1
@@ -120,13 +128,13 @@ def animate_growth(
             lengths = [entry["length"] for entry in flow.history()]
         show(0.5)
         wanted = set(stages_of(lengths, last - first + 1))
-        grown, stages = GrownCurve(plan, plan.problem), []
+        grown, stages = GrownCurve(plan, plan.problem, drawn_line.tolerance_of(result)), []
         with grown.flow as flow:
             for iteration in range(len(lengths) + 1):
                 if iteration:
                     flow.step()
                 if iteration in wanted:
-                    stages.append(grown.polylines()[0])
+                    stages.append(grown.shown()[0])
                     show(0.5 + 0.5 * iteration / len(lengths))
         frames.add_growth(stages, plan.matrix, first, last)
     return frames.collection, len(stages)

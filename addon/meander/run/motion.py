@@ -23,6 +23,7 @@ from ..model.problem import Problem
 from ..model.profile import radius_factors
 from ..scene import bake
 from ..scene.curve_reader import strands_of_curve
+from ..scene.drawn_line import seen_instead
 from ..scene.errors import DataError
 from ..scene.evaluated import is_evaluated
 from ..scene.identity import number_of
@@ -75,30 +76,36 @@ class GrownCurve:
     """The flow of a plan's problem, step by step, and the curve that its result shows of it: with a
     mirror that of the half, and its image."""
 
-    def __init__(self, plan: Plan, problem: Problem) -> None:
+    def __init__(self, plan: Plan, problem: Problem, rounding: float = 0.0) -> None:
+        """rounding   how far turns may be rounded, in spacings; 0: the curve as it is"""
         opened = open_flow(problem)
+        self._rounding = rounding
         self.flow = opened.flow
         self._mirror = None if opened.half is None else opened.half.mirror
         self._spacing = least_spacing(plan.problem.options.radius, opened.density)
         self._light = plan.light
         self._keeps_guides = plan.keeps_guides
 
-    def polylines(self) -> tuple[core.Polylines, np.ndarray]:
-        """The curve as it is written, and which points of the flow's it has kept, of one half."""
-        curve = self.flow.polylines()
+    def shown(self) -> tuple[core.Polylines, np.ndarray]:
+        """The curve as it is written, and r+ and r- of its points, of one half."""
+        if self._rounding:
+            curve, data = self.flow.rounded(self._rounding)
+        else:
+            curve, data = self.flow.polylines(), self.flow.point_data()
         kept = result_points(curve, self._spacing, self._light)
         shown = with_points(curve, kept)
         if not self._keeps_guides:
             guides = self.flow.guides()
             kept = kept[strands.points_without_guides(shown, guides)]
             shown = strands.without_guides(shown, guides)
-        return shown if self._mirror is None else self._mirror.polylines(shown), kept
+        whole = shown if self._mirror is None else self._mirror.polylines(shown)
+        return whole, data.radii[kept]
 
 
 class EvenFollower:
     """Continues the flow for some iterations in every frame."""
 
-    def __init__(self, plan: Plan, steps: int) -> None:
+    def __init__(self, plan: Plan, steps: int, rounding: float = 0.0) -> None:
         problem = plan.problem
         self.factors = None
         follows = plan.radius_follows and problem.density is not None
@@ -109,7 +116,7 @@ class EvenFollower:
         self._faces, self._steps = problem.faces, steps
         try:
             # Both halves are there, and move by themselves.
-            self._grown = GrownCurve(plan, replace(problem, mirror=None))
+            self._grown = GrownCurve(plan, replace(problem, mirror=None), rounding)
         except core.MeanderError as error:
             if error.status != core.Status.INVALID_SEED:
                 raise
@@ -125,9 +132,9 @@ class EvenFollower:
         flow.set_vertices(vertices)
         for _ in range(self._steps):
             flow.step()
-        curve, kept = self._grown.polylines()
+        curve, radii = self._grown.shown()
         if self._radius:
-            self.factors = radius_factors(flow.point_data().radii[kept], self._radius)
+            self.factors = radius_factors(radii, self._radius)
         return curve
 
 
@@ -157,9 +164,16 @@ class StickingFollower:
 
 
 def follower_of(
-    result: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph
+    result: bpy.types.Object,
+    scene: bpy.types.Scene,
+    depsgraph: bpy.types.Depsgraph,
+    rounding: float = 0.0,
 ) -> Follower:
-    """A follower that begins with the result as it is. Raises DataError, core.MeanderError."""
+    """A follower that begins with the result as it is. Raises DataError, core.MeanderError.
+
+    rounding   how far turns may be rounded in every frame, in spacings; what sticks takes the line
+               along that the look draws, where there is one
+    """
     settings = result.meander
     if settings.motion == "EVEN":
         if settings.figures.bridges:
@@ -167,13 +181,15 @@ def follower_of(
                 f"'{result.name}' has bridges, which cannot keep the spacing in motion; choose "
                 "Stick, or fill the surface without Bridge Parts"
             )
-        return EvenFollower(plan_of(result, scene, depsgraph), settings.motion_steps)
+        return EvenFollower(plan_of(result, scene, depsgraph), settings.motion_steps, rounding)
     if is_evaluated(settings.surface, depsgraph):
         vertices, faces, _matrix = surface_now(settings.surface, depsgraph)
     else:
         vertices, faces = triangles_of(settings.surface, depsgraph)
-    own = strands_of_curve(result, depsgraph)
-    radii = [point.radius for spline in result.data.splines for point in spline.points]
+    drawn = seen_instead(result) if rounding else None
+    data = result.data if drawn is None else drawn.data
+    own = strands_of_curve(result, depsgraph, of_data=None if drawn is None else data)
+    radii = [point.radius for spline in data.splines for point in spline.points]
     factors = np.array(radii) if len(radii) == len(own.points) else None
     return StickingFollower(own.points, own.offsets, own.closed, factors, vertices, faces)
 

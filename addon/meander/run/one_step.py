@@ -22,8 +22,8 @@ from ..scene.settings import copied, surface_of
 from . import live
 from .lasting import Activity, Memory
 
-# Of results, by their names: how often Live had changed each before an undo or a redo, and how often
-# before what can be redone was taken back.
+# Of results, by their names: how often Live had changed each before an undo or a redo, and how
+# often before what can be redone was taken back.
 _before: Memory[str, int] = Memory()
 _taken_back: Memory[str, int] = Memory()
 # Whether it is an undo or a redo that goes on, and for which results.

@@ -14,6 +14,7 @@ from . import assets
 from . import points as point_attributes
 from .blender_versions import fcurves, shape_key_points
 from .curve_writer import write_splines
+from .drawn_line import seen_instead
 from .linked_settings import settings_of
 from .look import copy_look, copy_values, modifier_of, place_of, same_values, set_value
 from .profile import set_tilt_and_radius
@@ -96,8 +97,15 @@ class Frames:
     def add_sticking(
         self, frames: list[int], points: list[np.ndarray], offsets: np.ndarray
     ) -> bpy.types.Object:
-        """One curve whose points go from place to place, as shape keys; points in its own space."""
-        curve = self._result.data.copy()
+        """One curve whose points go from place to place, as shape keys; points in its own space,
+        as many as the result has, or the line that its look draws."""
+        drawn = seen_instead(self._result)
+        if drawn is not None and len(points[0]) == sum(len(s.points) for s in drawn.data.splines):
+            curve = drawn.data.copy()
+            for material in self._result.data.materials:
+                curve.materials.append(material)
+        else:
+            curve = self._result.data.copy()
         curve.animation_data_clear()
         shown = self._new("Sticking", curve)
         copy_look(self._result, shown)

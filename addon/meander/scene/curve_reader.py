@@ -20,7 +20,10 @@ def has_strands(object: bpy.types.Object) -> bool:
 
 
 def strands_of_curve(
-    object: bpy.types.Object, depsgraph: bpy.types.Depsgraph, fixed_ends: bool = False
+    object: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
+    fixed_ends: bool = False,
+    of_data: bpy.types.Curve | None = None,
 ) -> core.Seed:
     """The strands of a curve object as a seed, in world units, in the order of its splines.
 
@@ -29,6 +32,7 @@ def strands_of_curve(
     of its letters. Works in Edit Mode and for hidden objects.
 
     fixed_ends   the first and last point of every open strand never move
+    of_data      poly splines in the space of the object, to be read in place of its own
 
     Raises DataError with one sentence for what is not a curve, has no segments, or branches.
     """
@@ -36,7 +40,10 @@ def strands_of_curve(
         raise DataError(f"'{object.name}' is not a curve; choose a curve object as the seed")
     if object.mode == "EDIT":
         object.update_from_editmode()
-    if _is_plain(object) and (
+    if of_data is not None:
+        points, offsets, closed = _poly_splines(of_data)
+        matrix = matrix_of(object, depsgraph)
+    elif _is_plain(object) and (
         object.data.animation_data is None or is_evaluated(object, depsgraph)
     ):
         points, offsets, closed = _poly_splines(object.data)

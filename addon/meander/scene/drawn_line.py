@@ -16,7 +16,7 @@ import numpy as np
 
 from .. import core
 from .curve_writer import write_splines
-from .look import modifier_of, set_value, value_of
+from .look import modifier_of, set_value, shaping_modifiers, value_of
 from .profile import set_tilt_and_radius
 
 # Of what Blender keeps in single precision.
@@ -81,6 +81,19 @@ def drawn_of(result: bpy.types.Object) -> bpy.types.Object | None:
     """The object that holds the drawn line of a result; None: it draws its curve."""
     modifier = modifier_of(result)
     return None if modifier is None else value_of(modifier, "Round Line")
+
+
+def seen_instead(result: bpy.types.Object) -> bpy.types.Object | None:
+    """The object whose splines are seen in place of a result's; None: its own are. They are in the
+    result's space."""
+    drawn, modifier = drawn_of(result), modifier_of(result)
+    if drawn is None or shaping_modifiers(result):
+        return None
+    if not (modifier.show_viewport or modifier.show_render):
+        return None
+    if value_of(modifier, "Round Points") != _point_count(result.data):
+        return None
+    return drawn if _digest(result.data) == result.meander.figures.round_of else None
 
 
 def remove_unused(thing: bpy.types.Object) -> None:

@@ -9,6 +9,7 @@ import base64
 
 import bpy
 import numpy as np
+from mathutils.kdtree import KDTree
 
 from .. import core
 from ..model.geometry.surface_normals import normals_at
@@ -16,6 +17,7 @@ from ..model.toolpaths import toolpath
 from .blender_versions import make_poly
 from .curve_reader import strands_of_curve
 from .curve_writer import place_beside
+from .drawn_line import seen_instead
 from .errors import DataError
 from .evaluated import matrix_of
 from .meshes import triangles_of
@@ -195,16 +197,22 @@ def farthest(points: np.ndarray, vertices: np.ndarray, faces: np.ndarray) -> flo
 
 
 def polylines_of(
-    result: bpy.types.Object, depsgraph: bpy.types.Depsgraph, shown: bpy.types.Object | None = None
+    result: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
+    shown: bpy.types.Object | None = None,
+    as_drawn: bool = False,
 ) -> tuple[core.Polylines, np.ndarray, np.ndarray]:
     """A result's strands in world units with normals of the surface, and for every point the
     triangle of the surface that holds it and the weights of its corners.
 
-    shown   a baked frame of it, whose strands are taken in place of its own
+    shown     a baked frame of it, whose strands are taken in place of its own
+    as_drawn  those with round turns, where the look draws them in place of the curve
 
     Raises DataError with one sentence for what cannot be used.
     """
-    strands = strands_of_curve(shown or result, depsgraph)
+    drawn = seen_instead(result) if as_drawn else None
+    own = drawn.data if drawn else None
+    strands = strands_of_curve(shown or result, depsgraph, of_data=own)
     vertices, faces = triangles_of(result.meander.surface, depsgraph)
     index, weights = bind(strands.points, vertices, faces)
     spacing = result.meander.figures.least_spacing or result.meander.spacing
@@ -213,13 +221,28 @@ def polylines_of(
     return curve, index, weights
 
 
+def _nearest(points: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """For each place the index of the nearest point."""
+    tree = KDTree(len(points))
+    for index, point in enumerate(points.tolist()):
+        tree.insert(point, index)
+    tree.balance()
+    return np.array([tree.find(place)[1] for place in places.tolist()], dtype=np.int64)
+
+
 def strands_of_result(
-    result: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+    result: bpy.types.Object, depsgraph: bpy.types.Depsgraph, as_drawn: bool = False
 ) -> list[toolpath.Strand]:
-    """A result's strands with all that is known of them. Raises DataError."""
-    curve, index, weights = polylines_of(result, depsgraph)
+    """A result's strands with all that is known of them, as its look draws them or as its curve has
+    them. r+ and r- of a drawn point are those of the nearest one of the curve. Raises DataError."""
+    curve, index, weights = polylines_of(result, depsgraph, as_drawn=as_drawn)
     matrix = matrix_of(result.meander.surface, depsgraph)
-    radii = medial_radii_of(result, len(curve.positions), matrix)
+    if as_drawn and seen_instead(result):
+        own = strands_of_curve(result, depsgraph).points
+        radii = medial_radii_of(result, len(own), matrix)
+        radii = None if radii is None else radii[_nearest(own, curve.positions)]
+    else:
+        radii = medial_radii_of(result, len(curve.positions), matrix)
     return toolpath.strands_of(curve, data_of(index, weights, radii))
 
 

@@ -18,7 +18,9 @@ from ..model.geometry import surface_crossings
 from ..model.options.export import ROWS
 from ..model.toolpaths import embroidery, ros, toolpath, usd
 from ..model.toolpaths.drawing import Drawing, axes_of, seen_along
+from ..run import rounding
 from ..run.lasting import Activity
+from ..scene import drawn_line
 from ..scene.bake import frames_of
 from ..scene.errors import DataError
 from ..scene.identity import Key
@@ -134,6 +136,11 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         description="Draw all selected curves that Meander has made, not only the active one",
         default=False,
     )
+    round_turns: BoolProperty(
+        name="Round Turns",
+        description="Write the line as the look draws it, with round turns; off: the curve itself",
+        default=True,
+    )
     header: StringProperty(
         name="Header",
         description="File of lines of G-code behind the unit, in place of those of the machine",
@@ -176,6 +183,9 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
                 result = result_of(context)
                 surface = result.meander.surface
                 layout.prop_search(self, "uv_map", surface.data, "uv_layers")
+        row = layout.row()
+        row.active = any(drawn_line.tolerance_of(each) for each in self._chosen(context))
+        row.prop(self, "round_turns")
         if self._size:
             row = layout.row()
             row.alert = self._is_refused
@@ -247,6 +257,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         return done
 
     def _write(self, context: bpy.types.Context) -> set[str]:
+        if self.round_turns:
+            rounding.on_output()
         self.filepath = file_named(self.filepath, "a suffix such as .svg")
         if not self.properties.is_property_set("file_format"):
             self._take_format_of_name()
@@ -274,7 +286,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         surface = result.meander.surface
         try:
             triangles = triangles_of(surface, depsgraph)
-            strands = strands_of_result(result, depsgraph)
+            strands = self._strands(result, depsgraph)
             several = self.selected and len(_results(context)) > 1
             found = not (self.visible_only or several) and has_map(surface, depsgraph)
         except DataError:  # which writing reports
@@ -348,7 +360,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
     def _write_table(self, path: Path, context: bpy.types.Context) -> tuple[str, str]:
         """What to say of it, and what to warn of; empty if nothing."""
         result, depsgraph = result_of(context), context.evaluated_depsgraph_get()
-        strands = strands_of_result(result, depsgraph)
+        strands = self._strands(result, depsgraph)
         mesh = toolpath.Mesh(*triangles_of(result.meander.surface, depsgraph))
         strands = self._resampled(strands, mesh)
         toolpath.write(path, strands, core.VERSION)
@@ -405,13 +417,22 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         export.write(path, kind, drawing, values, title, core.VERSION, head, foot, self.frame_id)
         return drawing
 
+    def _chosen(self, context: bpy.types.Context) -> list[bpy.types.Object]:
+        return _results(context) if self.selected else [result_of(context)]
+
+    def _strands(
+        self, result: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+    ) -> list[toolpath.Strand]:
+        """What is written of a result: the line that is seen, or the curve."""
+        return strands_of_result(result, depsgraph, as_drawn=self.round_turns)
+
     def _laid_out(
         self, kind: export.Format, values: dict[str, Any], context: bpy.types.Context
     ) -> list[toolpath.Strand]:
         layout = values["layout_as"] if "layout_as" in kind.options else "space"
         depsgraph = context.evaluated_depsgraph_get()
-        results = _results(context) if self.selected else [result_of(context)]
-        strands = [strand for each in results for strand in strands_of_result(each, depsgraph)]
+        results = self._chosen(context)
+        strands = [strand for each in results for strand in self._strands(each, depsgraph)]
         surfaces = list(dict.fromkeys(result.meander.surface for result in results))
         if layout == "uv":
             if len(surfaces) > 1:
@@ -432,7 +453,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
 # What a refused dialog hands on; where it was and which files are listed, Blender knows.
 _KEPT = frozenset(
     {"filepath", "file_format", "resample", "step", "tolerance", "selected", "header", "footer"}
-    | {"uv_map", "frame_id", "animated"}
+    | {"uv_map", "frame_id", "animated", "round_turns"}
     | set(ExportOptions.__annotations__)
 )
 
