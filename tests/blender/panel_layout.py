@@ -164,6 +164,14 @@ class Layout:
         self._add(Item("operator", label if text is None else text, icon != "NONE"))
         return SimpleNamespace()
 
+    def operator_menu_enum(
+        self, idname: str, name: str, text: str = "", icon: str = "NONE", **_options: Any
+    ) -> None:
+        kind, operator = idname.split(".")
+        options = getattr(getattr(bpy.ops, kind), operator).get_rna_type().properties
+        assert options[name].type == "ENUM"
+        self._add(Item("operator", text, icon != "NONE"))
+
     def menu(self, _idname: str, text: str = "", icon: str = "NONE", **_options: Any) -> None:
         self._add(Item("operator", text, icon != "NONE"))
 

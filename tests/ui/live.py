@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import bpy
-from meander.run import live, session, suspended
+from meander.run import live, made_again, session, suspended
 from meander.ui import live as live_operator
 from stage import (
     IN_VIEW,
@@ -114,6 +114,34 @@ def after_a_run() -> Iterator[float]:
     yield 0.3
     assert splines_of(RESULT) == second and abs(bpy.data.objects[RESULT].location.x) < 1e-6
     assert abs(bpy.data.objects[SURFACE].meander.spacing - 0.95 * SPACING) < 1e-6
+
+    step("what was made of the curve follows once it rests, in the same step of undo")
+    with bpy.context.temp_override(**window_override()):
+        assert bpy.ops.meander.two_tone(hide=False) == {"FINISHED"}
+    made = bpy.context.view_layer.objects.active.name
+    bpy.ops.ed.undo_push(message="Two-Tone")
+    result = activate(RESULT)
+    bpy.ops.ed.undo_push(message="Select")
+
+    def corners() -> int:
+        return len(bpy.data.objects[made].data.vertices)
+
+    before = corners()
+    yield from looked()
+    choose(result, "spacing", 0.85 * SPACING)
+    yield from follows()
+    closer = splines_of(RESULT)
+    yield from until(lambda: corners() != before, "the two-tone follows")
+    after = corners()
+    assert made_again.is_due(bpy.data.objects[RESULT]) is False
+    for redo in (False, True, False):
+        yield from undo(redo)
+        yield 0.3
+        wanted = (closer, after) if redo else (second, before)
+        assert (splines_of(RESULT), corners()) == wanted, redo
+    with bpy.context.temp_override(**window_override()):
+        bpy.data.objects.remove(bpy.data.objects[made])
+    bpy.ops.ed.undo_push(message="Delete")
 
     step("Esc takes the last wish back, and the curve keeps what it was")
     activate(SURFACE)

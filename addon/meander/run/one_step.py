@@ -19,7 +19,7 @@ from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
 from ..scene.linked_settings import settings_of
 from ..scene.settings import copied, surface_of
-from . import live
+from . import images, live, made_again
 from .lasting import Activity, Memory
 
 # Of results, by their names: how often Live had changed each before an undo or a redo, and how
@@ -92,12 +92,16 @@ def go_on() -> None:
 
 def _is_between(names: list[str]) -> bool:
     found = [bpy.data.objects[name] for name in names if name in bpy.data.objects]
-    return any(
-        thing.meander.live
-        and thing.meander.figures.asked
-        and thing.meander.figures.asked != _asked(thing, bpy.context)
-        for thing in found
-    )
+    return any(_is_unsettled(thing) for thing in found)
+
+
+def _is_unsettled(result: bpy.types.Object) -> bool:
+    """Whether something is still to follow: the curve, or what was made of it."""
+    if made_again.is_due(result) or images.is_due(result):
+        return True
+    figures = result.meander.figures
+    asked = figures.asked if result.meander.live else ""
+    return bool(asked) and asked != _asked(result, bpy.context)
 
 
 def _changed_live() -> Iterator[bpy.types.Object]:

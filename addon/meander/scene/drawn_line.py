@@ -54,7 +54,7 @@ def draw(
     if modifier is None:
         return
     figures = result.meander.figures
-    figures.round_told, figures.round_of = tolerance_of(result), _digest(result.data)
+    figures.round_told, figures.round_of = tolerance_of(result), digest_of_curve(result.data)
     drawn = None
     if line is not None:
         curve = bpy.data.curves.new(f"{result.name} Round", "CURVE")
@@ -93,7 +93,7 @@ def seen_instead(result: bpy.types.Object) -> bpy.types.Object | None:
         return None
     if value_of(modifier, "Round Points") != _point_count(result.data):
         return None
-    return drawn if _digest(result.data) == result.meander.figures.round_of else None
+    return drawn if digest_of_curve(result.data) == result.meander.figures.round_of else None
 
 
 def remove_unused(thing: bpy.types.Object) -> None:
@@ -121,7 +121,7 @@ def _drop_where_changed(thing: bpy.types.Object) -> None:
     modifier = modifier_of(thing)
     if modifier is None or not value_of(modifier, "Round Points"):
         return
-    if thing.mode != "EDIT" and _digest(thing.data) != thing.meander.figures.round_of:
+    if thing.mode != "EDIT" and digest_of_curve(thing.data) != thing.meander.figures.round_of:
         set_value(modifier, "Round Points", 0)
         thing.meander.figures.round_of = ""
 
@@ -147,8 +147,14 @@ def _length(curve: bpy.types.Curve) -> float:
     return length
 
 
-def _digest(curve: bpy.types.Curve) -> str:
+def digest_of_curve(curve: bpy.types.Curve) -> str:
+    """Another text for splines through other points."""
+    return digest_of_points(_positions(curve))
+
+
+def digest_of_points(arrays: list[np.ndarray]) -> str:
+    """Another text for other arrays."""
     digest = hashlib.blake2b(digest_size=8)
-    for points in _positions(curve):
-        digest.update(np.ascontiguousarray(points).tobytes())
+    for values in arrays:
+        digest.update(np.ascontiguousarray(values).tobytes())
     return digest.hexdigest()

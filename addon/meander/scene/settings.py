@@ -23,6 +23,10 @@ _OWN = frozenset(
         "bake",
         "last_result",
         "made_from",
+        "made_by",
+        "keep_up",
+        "made_material",
+        "made_material_by",
         "shown_profile",
         "shown_ends",
     }

@@ -4,31 +4,21 @@
 from __future__ import annotations
 
 import bpy
-import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
-from ..model.cut import light_colours, one_side
-from ..run import session
-from ..run.cut import CutResult, cut_result, paint, paint_sides
+from ..run import made_again, makers, session
 from ..run.lasting import Activity
-from ..scene import assets
-from ..scene.cut import UV_MAP, sharpen_line, take_place
+from ..scene.cut import take_place
 from ..scene.errors import DataError
 from ..scene.identity import Key
-from ..scene.look import set_value
-from ..scene.made import name_curve
-from ..scene.solid_view import colour_corners, show_colours
-from ..scene.transforms import mean_scale
+from ..scene.solid_view import show_colours
 from .on_result import NO_RESULT, OnResult, result_of
 from .points import draw_light_and_points
 from .refusing import refusing
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
 
 _DETAIL = "Length of the edges between the lines, in half spacings; 0 adds none"
-# What has a finer mesh than this takes Blender long to draw.
-_FINEST = 0.1
 # What was made last: the box Adjust Last Operation belongs to it as long as it is active.
-# What an operator has made last.
 _made: Activity[Key] = Activity()
 
 
@@ -36,9 +26,7 @@ class Cut(OnResult):
     """Cuts the surface of the active result along it, into a new object."""
 
     bl_options = {"REGISTER", "UNDO"}
-    suffix = ""
-    middle_lines = False
-    sides = False
+    maker = ""  # in makers.MAKERS
     takes_place = True  # of the surface, which is hidden
 
     @classmethod
@@ -50,17 +38,10 @@ class Cut(OnResult):
         result = result_of(context)
         if result is None:  # started anew while what it made last is active
             raise DataError(NO_RESULT)
-        detail = max(self.detail, _FINEST) if self.detail > 0.0 else 0.0
-        cut = cut_result(
-            result,
-            context.scene,
-            context.evaluated_depsgraph_get(),
-            detail,
-            self.middle_lines,
-            self.sides,
-        )
-        made = self.make(cut, f"{result.name} {self.suffix}")
-        name_curve(made, result)
+        values = {name: getattr(self, name) for name in makers.MAKERS[self.maker].values}
+        depsgraph = context.evaluated_depsgraph_get()
+        made, remark = makers.make(self.maker, values, result, context.scene, depsgraph)
+        made_again.note(made, result, self.maker, values)
         surface = result.meander.surface
         originals = (result, surface) if self.takes_place else (result,)
         _show(context, made, originals if self.hide else ())
@@ -71,16 +52,8 @@ class Cut(OnResult):
         if colours is not None and colours.active_color is not None:
             show_colours(context, made)
         faces = sum(len(thing.data.polygons) for thing in made if thing.type == "MESH")
-        self.report({"INFO"}, f"{made[0].name}: {faces:,} faces{self.remark(cut)}")
+        self.report({"INFO"}, f"{made[0].name}: {faces:,} faces{remark}")
         return {"FINISHED"}
-
-    def make(self, cut: CutResult, name: str) -> list[bpy.types.Object]:
-        """Makes the objects of a cut."""
-        return [cut.make(name)]
-
-    def remark(self, _cut: CutResult) -> str:
-        """What more there is to say, from a comma on."""
-        return ""
 
 
 def _can_adjust(cls: type[Cut], context: bpy.types.Context) -> bool:
@@ -135,7 +108,7 @@ class MEANDER_OT_cut_along_curve(Cut, bpy.types.Operator):
         "Make a mesh of the surface that has the curve as edges, marked as seams, with the side, "
         "the strand and the distance as attributes"
     )
-    suffix = "Cut"
+    maker = "cut_along_curve"
 
     detail: FloatProperty(name="Detail", description=_DETAIL, default=0.0, min=0.0, soft_max=2.0)
     middle_lines: BoolProperty(
@@ -152,9 +125,7 @@ class MEANDER_OT_two_tone(Cut, bpy.types.Operator):
         "Color the two sides of the curve, or make an object of each. Where the curve is open, "
         "and has only one side, the colors also meet halfway between its turns"
     )
-    suffix = "Two-Tone"
-    sides = True
-    detail = 0.0
+    maker = "two_tone"
 
     parts: EnumProperty(
         name="Objects",
@@ -166,23 +137,6 @@ class MEANDER_OT_two_tone(Cut, bpy.types.Operator):
     )
     hide: hide_originals()
 
-    def make(self, cut: CutResult, name: str) -> list[bpy.types.Object]:
-        materials = [assets.material(f"Meander Side {number}") for number in (1, 2)]
-        if self.parts == "ONE":
-            made = cut.make(name)
-            paint_sides(made, materials)
-            return [made]
-        made = []
-        for side, material in zip((1, -1), materials, strict=True):
-            thing = cut.make(name, one_side(cut.cut, side))
-            paint(thing, material)
-            made.append(thing)
-        return made
-
-    def remark(self, cut: CutResult) -> str:
-        if cut.parted:
-            return ""
-        return ", whose colors also meet halfway between turns, since the curve has one side only"
 
 
 class MEANDER_OT_relief(Cut, bpy.types.Operator):
@@ -192,21 +146,11 @@ class MEANDER_OT_relief(Cut, bpy.types.Operator):
         "Raise the surface between the turns of the curve, like brain coral. Height and shape are "
         "in the new object's modifier"
     )
-    suffix = "Relief"
-    middle_lines = True
+    maker = "relief"
 
     detail: FloatProperty(name="Detail", description=_DETAIL, default=0.5, min=0.0, soft_max=2.0)
     hide: hide_originals()
 
-    def make(self, cut: CutResult, name: str) -> list[bpy.types.Object]:
-        group, material = assets.node_group("Meander Relief"), assets.material("Meander Coral")
-        made = cut.make(name, keep_normals=False)
-        sharpen_line(made)
-        paint(made, material)
-        modifier = made.modifiers.new("Relief", "NODES")
-        modifier.node_group = group
-        set_value(modifier, "Spacing", cut.plan.spacing / mean_scale(cut.plan.matrix))
-        return [made]
 
 
 class MEANDER_OT_ribbon(Cut, bpy.types.Operator):
@@ -216,8 +160,7 @@ class MEANDER_OT_ribbon(Cut, bpy.types.Operator):
         "Lay a band along the curve over the whole surface: the UV map Ribbon goes along it, for "
         "text, zips and lights that run"
     )
-    suffix = "Ribbon"
-    middle_lines = True
+    maker = "ribbon"
 
     detail: FloatProperty(name="Detail", description=_DETAIL, default=0.5, min=0.0, soft_max=2.0)
     running_lights: BoolProperty(
@@ -227,16 +170,6 @@ class MEANDER_OT_ribbon(Cut, bpy.types.Operator):
     )
     hide: hide_originals()
 
-    def make(self, cut: CutResult, name: str) -> list[bpy.types.Object]:
-        material = assets.material("Meander Running Lights") if self.running_lights else None
-        made = cut.make(name)
-        if material is not None:
-            paint(made, material)
-        layer = made.data.uv_layers[UV_MAP].data
-        uv = np.empty(2 * len(layer), dtype=np.float32)
-        layer.foreach_get("uv", uv)
-        colour_corners(made.data, light_colours(uv.reshape(-1, 2)))
-        return [made]
 
 
 class MEANDER_PT_make(SubPanel, bpy.types.Panel):
@@ -254,7 +187,11 @@ class MEANDER_PT_make(SubPanel, bpy.types.Panel):
             column.operator(MEANDER_OT_two_tone.bl_idname, icon="MOD_MASK")
             column.operator(MEANDER_OT_relief.bl_idname, icon="RNDCURVE")
             column.operator(MEANDER_OT_ribbon.bl_idname, icon="UV")
-            column.operator("meander.maze", icon="MOD_BUILD")
+            row = column.row(align=True)
+            row.operator("meander.maze", icon="MOD_BUILD")
+            row.operator_menu_enum(
+                "meander.make_material", "kind", text="Material", icon="MATERIAL"
+            )
             column.operator(MEANDER_OT_cut_along_curve.bl_idname, icon="EDGESEL")
         draw_light_and_points(layout, context)
 

@@ -12,7 +12,7 @@ from typing import Any
 import bpy
 from bpy.app.handlers import persistent
 
-from ..run import estimate, lasting, motion, one_step, rounding
+from ..run import estimate, lasting, made_again, motion, one_step, rounding
 from ..scene import (
     after_undo,
     bake,
@@ -24,7 +24,7 @@ from ..scene import (
     made,
     solid_view,
 )
-from . import drawing
+from . import drawing, following
 from . import live as live_operator
 from . import look as look_panel
 
@@ -53,7 +53,13 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
         lasting.end_gone,
     ),
     "frame_change_post": (changes.on_frame, motion.on_frame),
-    "render_init": (look.on_output, rounding.on_output, bake.on_output, motion.on_render),
+    "render_init": (
+        look.on_output,
+        rounding.on_output,
+        bake.on_output,
+        made_again.on_render,
+        motion.on_render,
+    ),
     "render_complete": (motion.on_render_end,),
     "render_cancel": (motion.on_render_end,),
 }
@@ -68,6 +74,7 @@ _TIMERS = (
     look_panel.pass_on,
     look_panel.draw_ordered,
     one_step.go_on,
+    following.tick,
 )
 
 # What ends with the add-on, the running curve first.

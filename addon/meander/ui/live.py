@@ -23,6 +23,7 @@ from ..scene.identity import number_of
 from ..scene.linked_settings import settings_of
 from ..scene.results import last_result
 from ..scene.settings import surface_of
+from . import following
 from .fill import MEANDER_OT_run, fits, poll_run
 from .watched import Watched
 
@@ -55,6 +56,10 @@ class MEANDER_OT_live(Watched, bpy.types.Operator):
         if outcome == {"FINISHED"} and result is not None:
             one_step.note_change(result)
         return outcome
+
+    def _make_again(self, _context: bpy.types.Context, result: bpy.types.Object) -> str:
+        following.order(result)
+        return ""
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         if not self._begin(context):

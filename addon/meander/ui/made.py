@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import bpy
 
+from ..run import made_again
 from ..run.lasting import why_busy
 from ..scene.made import bring_into_view, made_from
 from ..scene.results import shown_result
@@ -67,12 +68,46 @@ class MEANDER_OT_use_as_surface(bpy.types.Operator):
         return {"FINISHED"}
 
 
-def draw_made(layout: bpy.types.UILayout, curve: bpy.types.Object) -> None:
+class MEANDER_OT_make_again(bpy.types.Operator):
+    """Make this object again of its curve as that is now; keeps its place, materials and
+    modifiers, and replaces its mesh"""
+
+    bl_idname = "meander.make_again"
+    bl_label = "Make Again"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if (busy := why_busy()) is not None:
+            cls.poll_message_set(busy)
+        elif made_from(active) is None or not active.meander.made_by:
+            cls.poll_message_set("Choose what a button under Make has made")
+        elif active.library is not None:
+            cls.poll_message_set("The object is linked from another file")
+        elif context.mode != "OBJECT":
+            cls.poll_message_set("Works in Object Mode")
+        else:
+            return True
+        return False
+
+    @refusing
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        thing = context.active_object
+        made_again.make_again(made_from(thing), context, [thing])
+        self.report({"INFO"}, f"{thing.name} is of {made_from(thing).name} as it is now")
+        return {"FINISHED"}
+
+
+def draw_made(layout: bpy.types.UILayout, curve: bpy.types.Object, made: bpy.types.Object) -> None:
     """What stands in the panel for an object that was made from a curve."""
     notice(layout, f"Made from {curve.name}", "OUTLINER_OB_CURVE")
-    row = layout.row()
+    row = layout.row(align=True)
     row.scale_y = 1.4
     row.operator(MEANDER_OT_select_curve.bl_idname, icon="RESTRICT_SELECT_OFF")
+    if made.meander.made_by:
+        row.prop(made.meander, "keep_up", text="", icon="LINKED")
+        row.operator(MEANDER_OT_make_again.bl_idname, text="", icon="FILE_REFRESH")
     layout.operator(MEANDER_OT_use_as_surface.bl_idname, icon="MESH_DATA")
 
 
@@ -86,7 +121,7 @@ def draw_hidden(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
     column.operator(MEANDER_OT_select_curve.bl_idname, icon="RESTRICT_SELECT_OFF")
 
 
-_CLASSES = (MEANDER_OT_select_curve, MEANDER_OT_use_as_surface)
+_CLASSES = (MEANDER_OT_select_curve, MEANDER_OT_use_as_surface, MEANDER_OT_make_again)
 
 
 def register() -> None:

@@ -10,10 +10,8 @@ from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 
 from ..model import maps
 from ..model.files.whole import naming, whole_files
-from ..run.cut import cut_result
-from ..scene import look
+from ..run.images import images_of
 from ..scene.errors import DataError
-from ..scene.layouts import map_of
 from .file_names import file_named
 from .on_result import OnResult, result_of
 from .refusing import refusing, sentence_of
@@ -134,30 +132,22 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
         chosen = self.properties.is_property_set("file_format")
         if not chosen or self.file_format == self._format:  # it is the name that has changed
             self._take_format_of_name()
-        result, depsgraph = result_of(context), context.evaluated_depsgraph_get()
-        surface = result.meander.surface
-        corners = map_of(surface, depsgraph, self.uv_map)
-        # Details of a cut are in half spacings.
-        cut = cut_result(result, context.scene, depsgraph, 2.0 * maps.DETAIL, True)
-        ramp = look.ramp_colours(result)
-        style = maps.Style(self.size, self.margin, self.line_width, self.depth, ramp)
-        mapped = maps.Mapped.of(cut.cut, corners, cut.plan.spacing)
-        path = self._with_suffix()
+        result, path = result_of(context), self._with_suffix()
+        style = maps.Style(self.size, self.margin, self.line_width, self.depth)
         manager = context.window_manager
         manager.progress_begin(0.0, 1.0)  # the mouse pointer shows it
         try:
-            images, overlap = maps.images(
-                mapped, path, kinds, style, progress=manager.progress_update
+            found = images_of(
+                result, context, path, kinds, style, self.uv_map, manager.progress_update
             )
-        except maps.NoPlace as problem:
-            raise DataError(f"The UV map of '{surface.name}' {problem}") from problem
         finally:
             manager.progress_end()
+        images = found.files
         with whole_files(list(images)) as temporary:
             for image, (place, data) in zip(temporary, images.items(), strict=True):
                 with naming(place):
                     image.write_bytes(data)
-        warning = maps.overlap_warning(overlap)
+        warning = maps.overlap_warning(found.overlap)
         if warning:
             self.report({"WARNING"}, sentence_of(warning))
         files = "1 image" if len(images) == 1 else f"{len(images)} images"

@@ -6,15 +6,7 @@ from __future__ import annotations
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
-from ..model.maze import Doors, Maze, NoMaze
-from ..run.cut import CutResult
-from ..scene.errors import DataError
-from ..scene.maze import write_walls, write_way
-from ..scene.transforms import mean_scale
 from .cut import Cut, hide_originals
-
-# Of the way's tube, in spacings.
-_WAY = 0.08
 
 
 class MEANDER_OT_maze(Cut, bpy.types.Operator):
@@ -24,10 +16,8 @@ class MEANDER_OT_maze(Cut, bpy.types.Operator):
         "Build walls along the curve, with two doors: a closed curve has two sides, in each of "
         "which one way only leads from any place to any other"
     )
-    suffix = "Maze"
-    middle_lines = True
+    maker = "maze"
     takes_place = False  # the surface is its floor
-    detail = 0.5
 
     height: FloatProperty(
         name="Height", description="Of the walls, in spacings", default=0.6, min=0.01, soft_max=2.0
@@ -78,8 +68,6 @@ class MEANDER_OT_maze(Cut, bpy.types.Operator):
     )
     hide: hide_originals()
 
-    _remark = ""
-
     def draw(self, _context: bpy.types.Context) -> None:
         layout = self.layout
         layout.use_property_split = True
@@ -94,45 +82,6 @@ class MEANDER_OT_maze(Cut, bpy.types.Operator):
             column.prop(self, "door_width")
             layout.prop(self, "solution")
         layout.prop(self, "hide", text="Hide Curve")
-
-    def make(self, cut: CutResult, name: str) -> list[bpy.types.Object]:
-        surface, matrix, spacing = cut.plan.surface.find(), cut.plan.matrix, cut.plan.spacing
-        try:
-            maze = Maze(cut.cut, spacing)
-        except NoMaze as problem:
-            raise DataError(
-                f"The curve {problem}; fill a sheet or a shape without handles with one closed "
-                "curve"
-            ) from problem
-        doors = self._doors(maze)
-        made = [
-            write_walls(
-                name, cut.cut, surface, matrix, spacing,
-                (self.width * spacing, self.height * spacing),
-                (doors, (self.door_width + self.width) * spacing),
-            )
-        ]  # fmt: skip
-        self._remark = ""
-        if doors is not None:
-            vertices = maze.way(doors)
-            self._remark = f", {maze.hardness(vertices)}"
-            if not doors.through:
-                self._remark += "; the way keeps to the rim, try another variation"
-            if self.solution:
-                way = cut.cut.positions[vertices]
-                thickness = _WAY * spacing / mean_scale(matrix)
-                made.append(write_way(f"{name} Solution", way, surface, matrix, thickness))
-        return made
-
-    def _doors(self, maze: Maze) -> Doors | None:
-        if self.doors == "NONE":
-            return None
-        if self.doors == "CHOSEN":
-            return maze.doors_at(self.first_door, self.second_door)
-        return maze.farthest_doors()
-
-    def remark(self, _cut: CutResult) -> str:
-        return self._remark
 
 
 def register() -> None:

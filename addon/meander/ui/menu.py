@@ -22,6 +22,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
         "show_gaps",
         "select_curve",
         "use_as_surface",
+        "make_again",
         "select_problem",
     ),
     (
@@ -37,6 +38,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
         "relief",
         "ribbon",
         "maze",
+        "make_material",
         "cut_along_curve",
         "add_look",
     ),

@@ -54,7 +54,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             _draw_linked(layout, context.active_object)
             self._draw_settings(layout.column(), context.active_object, surface)
         elif made_from(context.active_object) is not None:
-            draw_made(layout, made_from(context.active_object))
+            draw_made(layout, made_from(context.active_object), context.active_object)
         elif running is not None or surface_drawn_on(context.active_object) is not None:
             pass
         elif seeded_mesh(context) is not None:

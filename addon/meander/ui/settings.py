@@ -215,6 +215,22 @@ class MeanderSettings(
         poll=_is_made_by_meander,
         options=set(),
     )
+    made_material: PointerProperty(
+        type=bpy.types.Material,
+        name="Material of the Surface",
+        description="The material of images that Make Material has made of this curve",
+        options=set(),
+    )
+    made_material_by: StringProperty(name="Material Made By", options=set())
+    made_by: StringProperty(name="Made By", options=set())
+    keep_up: BoolProperty(
+        name="Follow Curve",
+        description=(
+            "Make this object again whenever its curve is another. What you edit is left alone"
+        ),
+        default=True,
+        options=set(),
+    )
     seed: PointerProperty(
         type=bpy.types.Object,
         name="Seed",

@@ -16,6 +16,7 @@ from ..run import notes, session
 from ..run.plan import Plan
 from ..run.suspended import SuspendedRun
 from ..scene.errors import DataError
+from . import following
 from .preferences import is_large
 from .refusing import sentence_of
 
@@ -108,6 +109,9 @@ class Watched:
                 self.report({"INFO"}, f"{result.name}: {'; '.join(filter(None, done))}")
                 if warning:
                     self.report({"WARNING"}, warning)
+                stale = self._make_again(context, result)
+                if stale:
+                    self.report({"WARNING"}, stale)
                 empty = unfilled(result.meander.figures)
                 if empty:
                     self.report({"WARNING"}, f"{result.name}: {empty}")
@@ -121,6 +125,12 @@ class Watched:
             self._session.end()
             self._session = None
         return {"CANCELLED"}
+
+    def _make_again(self, context: bpy.types.Context, result: bpy.types.Object) -> str:
+        """Lets what was made of the curve follow it. Returns what to warn of; empty if nothing."""
+        plan = self._session.plan
+        with plan.home.entered(context, plan.surface.find()) as home:
+            return following.after_run(result, home)
 
 
 def _summary(result: bpy.types.Object) -> str:
