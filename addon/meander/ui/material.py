@@ -12,9 +12,8 @@ from ..model import maps
 from ..run.images import make_material
 from ..scene.errors import DataError
 from ..scene.map_material import map_name
-from .fill import sentence_of
 from .on_result import OnOwnResult, result_of
-from .refusing import refusing
+from .refusing import refusing, sentence_of
 
 
 class MEANDER_OT_make_material(OnOwnResult, bpy.types.Operator):
