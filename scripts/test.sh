@@ -163,7 +163,8 @@ beside() { # COMMAND...: begins it as soon as fewer than two others run
 }
 # What is written for machines, by readers from the Python index that /usr/bin/python3 does not have.
 for_machines=(tests/core/test_arcs.py tests/core/test_gcode_tools.py tests/core/test_parts_by_length.py
-  tests/core/test_what_machines_take.py tests/core/test_scene_files.py)
+  tests/core/test_what_machines_take.py tests/core/test_scene_files.py
+  tests/core/test_other_libraries.py)
 
 # These compile, with one of the two processors.
 if $all; then

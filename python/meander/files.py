@@ -71,7 +71,8 @@ def write_curve(
                 ("space", "top", "front", "side"), unit ("mm", "cm", "in"), scale, size, line_width,
                 feed, travel_feed, lift, layer_offset, layers, layer_height, extrusion, tool,
                 machine, power, servo_down, servo_up, relative, arcs, stitch_length,
-                stitch_tolerance, least_stitch, force, thickness, pitch, ros_message, standoff, approach.
+                stitch_tolerance, least_stitch, force, thickness, pitch, ros_message, standoff,
+                approach.
                 A unit of the mesh is a metre
 
     Raises FileError: the file cannot be written, or an option means nothing for its format.

@@ -29,6 +29,7 @@ from .abi import (
 )
 from .choices import ALIGNMENTS, STOP_REASONS
 from .context import Context, pointer_of
+from .elsewhere import path_of, poly_data_of
 from .flow_options import FlowOptions, options_record
 from .interruption import heard
 from .native_library import (
@@ -69,6 +70,26 @@ class Polylines(NamedTuple):
     normals: NDArray[np.float64]
     offsets: NDArray[np.uint32]
     closed: NDArray[np.uint8]
+
+    def to_trimesh(self, data: PointData | None = None) -> Any:
+        """A trimesh.path.Path3D with a line for each strand, whose points keep their numbers.
+
+        data  of the same points, of Flow.point_data(): vertex attributes, beside `normal`, of the
+              names that .csv files have; None: none
+
+        Raises MeanderError where trimesh is not there, and for data of another number of points.
+        """
+        return path_of(self, data)
+
+    def to_pyvista(self, data: PointData | None = None) -> Any:
+        """A pyvista.PolyData with a line for each strand, numbered by the cell data `strand`.
+
+        data  of the same points, of Flow.point_data(): point data, beside `Normals`, of the names
+              that .csv files have; None: none
+
+        Raises MeanderError where PyVista is not there, and for data of another number of points.
+        """
+        return poly_data_of(self, data)
 
 
 class Preview(NamedTuple):

@@ -21,6 +21,7 @@ from .abi import (
 from .choices import CURVATURES, DIRECTIONS
 from .context import Context, pointer_of
 from .cost import Extent
+from .elsewhere import mesh_arrays
 from .named import only_its_names
 from .native_library import (
     Found,
@@ -129,8 +130,7 @@ def find_faults(vertices: ArrayLike, faces: ArrayLike, weld_distance: float = 0.
 
     Raises MeanderError for a mesh without faces and for indices out of range.
     """
-    vertex_array = checked_array("vertices", vertices, np.float64, 3)
-    face_array = checked_array("faces", faces, np.uint32, 3)
+    vertex_array, face_array = mesh_arrays(vertices, faces)
     found = Found(FaultsRecord)
     with pointer_of(None) as cancelling:
         record = found.fill(
@@ -175,8 +175,7 @@ def find_closest(
     without faces that lie anywhere, indices out of range, and soon after `context` has been
     cancelled.
     """
-    vertex_array = checked_array("vertices", vertices, np.float64, 3)
-    face_array = checked_array("faces", faces, np.uint32, 3)
+    vertex_array, face_array = mesh_arrays(vertices, faces)
     mesh = (address_of(vertex_array), len(vertex_array), address_of(face_array), len(face_array))
     return _closest(native().meander_mesh_find_closest, mesh, points, threads, context)
 
@@ -204,7 +203,7 @@ _FIGURES = {"flipped_faces": "turned_faces"}
 class Surface(Handle):
     """A triangle mesh that the library has checked and copied.
 
-    vertices  (n, 3) float64, finite, in any unit
+    vertices  (n, 3) float64, finite, in any unit; or a mesh of trimesh or PyVista, without faces
     faces     (m, 3) uint32, zero-based, each below n
     options   how to prepare a mesh with faults, and which part of it to take; None: as it is
     threads   for a large mesh, at most 256; 0: as many as the machine has; the result is the same
@@ -224,14 +223,13 @@ class Surface(Handle):
 
     def __init__(
         self,
-        vertices: ArrayLike,
-        faces: ArrayLike,
+        vertices: ArrayLike | Any,
+        faces: ArrayLike | None = None,
         options: SurfaceOptions | None = None,
         threads: int = 0,
         context: Context | None = None,
     ) -> None:
-        vertex_array = checked_array("vertices", vertices, np.float64, 3)
-        face_array = checked_array("faces", faces, np.uint32, 3)
+        vertex_array, face_array = mesh_arrays(vertices, faces)
         library = native()
         record, arrays = _surface_options_record(
             SurfaceOptions() if options is None else options, len(vertex_array), len(face_array)
