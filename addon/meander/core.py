@@ -49,7 +49,13 @@ from .binding.choices import (
 from .binding.context import Context
 from .binding.cost import Cost, Extent, estimate_cost
 from .binding.cut import NO_STRAND, CutSurface, cut_surface
-from .binding.files import TextPolygons, read_numbers, read_polygons, triangulated
+from .binding.files import (
+    TextPolygons,
+    read_numbers,
+    read_polygons,
+    text_rows,
+    triangulated,
+)
 from .binding.flow import Flow, Gaps, Nodes, PointData, Polylines, Preview
 from .binding.flow_options import FlowOptions, default_options, option_warnings
 from .binding.maps import CutPlaces, MapPixels, cut_places, map_pixels
@@ -132,6 +138,7 @@ __all__ = [
     "read_polygons",
     "spacing_for",
     "struct_layouts",
+    "text_rows",
     "triangulated",
     "unknown_name",
 ]

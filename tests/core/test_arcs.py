@@ -14,9 +14,9 @@ from meander import batch
 from meander.model.geometry.arcs import fitted
 from meander.model.toolpaths import toolpath
 from meander.model.toolpaths.drawing import Drawing
-from meander.model.toolpaths.dxf import dxf_text
-from meander.model.toolpaths.gcode import Motion, gcode_text
-from meander.model.toolpaths.svg import svg_text
+from meander.model.toolpaths.dxf import dxf_pieces
+from meander.model.toolpaths.gcode import Motion, gcode_pieces
+from meander.model.toolpaths.svg import svg_pieces
 
 UP = [0.0, 0.0, 1.0]
 
@@ -93,7 +93,7 @@ def drawing() -> Drawing:
 
 def test_g_code_is_the_same_way(drawing: Drawing) -> None:
     for relative in (False, True):
-        text = gcode_text(drawing, Motion(tool="laser", relative=relative), "a", "1")
+        text = "".join(gcode_pieces(drawing, Motion(tool="laser", relative=relative), "a", "1"))
         at, now, found = np.zeros(2), False, []
         for line in text.splitlines():
             line = line.split(";")[0]
@@ -125,7 +125,7 @@ def test_g_code_is_the_same_way(drawing: Drawing) -> None:
 
 def test_an_svg_file_is_the_same_way(drawing: Drawing) -> None:
     svgpathtools = pytest.importorskip("svgpathtools")
-    text = svg_text(drawing, 0.3, "a", "1")
+    text = "".join(svg_pieces(drawing, 0.3, "a", "1"))
     low, high = drawing.box()
     for data, moves in zip(re.findall(r' d="([^"]+)"', text), drawing.moves):
         path = svgpathtools.parse_path(data)
@@ -141,7 +141,7 @@ def test_a_dxf_file_is_the_same_way(drawing: Drawing, tmp_path: Path) -> None:
     from ezdxf import path as ezdxf_path
 
     file = tmp_path / "a.dxf"
-    file.write_text(dxf_text(drawing), encoding="ascii")
+    file.write_text("".join(dxf_pieces(drawing)), encoding="ascii")
     found = list(ezdxf.readfile(file).modelspace().query("POLYLINE"))
     assert len(found) == 2 and found[0].is_closed and not found[1].is_closed
     for polyline, moves in zip(found, drawing.moves):

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from meander.model.camera import CameraPage, Page
 from meander.model.geometry.clipped_mesh import Triangles
-from meander.model.toolpaths.svg import page_text
+from meander.model.toolpaths.svg import page_pieces
 from meander.model.toolpaths.toolpath import strand_of
 
 A4 = Page(210.0, 297.0, 10.0)
@@ -177,7 +177,7 @@ def test_a_page_has_a_layer_for_each_name() -> None:
     up = np.tile([0.0, 0.0, 1.0], (3, 1))
     names = ["Cube", 'a "b" <c> & d', "bad \x01 letter"]
     layers = [(name, [strand_of(points, up, closed)]) for closed, name in enumerate(names)]
-    text = page_text(layers, (210.0, 297.0), 0.25, "Camera & Co", "9.9")
+    text = "".join(page_pieces(layers, (210.0, 297.0), 0.25, "Camera & Co", "9.9"))
     root = ElementTree.fromstring(text)
     assert (root.get("width"), root.get("height")) == ("210mm", "297mm")
     assert root.get("viewBox") == "0 0 210 297"

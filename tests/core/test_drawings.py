@@ -14,7 +14,7 @@ from meander.model import export
 from meander.model.files.whole import FileError
 from meander.model.toolpaths import toolpath
 from meander.model.toolpaths.drawing import VIEWS, drawing_of, seen_along
-from meander.model.toolpaths.gcode import Motion, gcode_text
+from meander.model.toolpaths.gcode import Motion, gcode_pieces
 
 MM_OF = {"mm": 1.0, "cm": 10.0, "in": 25.4}
 
@@ -251,5 +251,5 @@ def test_the_scene_says_how_long_its_unit_is():
     drawing = drawing_of(strands(), "mm", metres=0.01, scale=2.0, size=0.0, flat=False)
     whole = sum(length_of(strand.points, strand.closed) for strand in strands())
     assert drawing.length == pytest.approx(20.0 * whole)
-    text = gcode_text(drawing, Motion(), "caf\u00e9\nG28", "1")
+    text = "".join(gcode_pieces(drawing, Motion(), "caf\u00e9\nG28", "1"))
     assert text.startswith("; caf__G28, Meander 1\n")

@@ -17,7 +17,7 @@ from meander import batch, core
 from meander.model import export
 from meander.model.toolpaths import toolpath
 from meander.model.toolpaths.drawing import Drawing
-from meander.model.toolpaths.gcode import MACHINES, TOOLS, Motion, gcode_text
+from meander.model.toolpaths.gcode import MACHINES, TOOLS, Motion, gcode_pieces
 
 
 def words_of(line: str) -> list[tuple[str, dict[str, float]]]:
@@ -117,7 +117,7 @@ def flat_drawing() -> Drawing:
 def test_what_is_drawn_is_the_curve(tool: str, machine: str, relative: bool) -> None:
     drawing = flat_drawing()
     motion = Motion(tool=tool, machine=machine, relative=relative, power=40.0, servo_down=10.0)
-    run = Machine(tool).run(gcode_text(drawing, motion, "a", "1"), 0.0)
+    run = Machine(tool).run("".join(gcode_pieces(drawing, motion, "a", "1")), 0.0)
     assert len(run.drawn) == len(drawing.strands)
     for places, strand in zip(run.drawn, drawing.strands):
         way = np.vstack([strand.points, strand.points[:1]]) if strand.closed else strand.points
@@ -138,7 +138,8 @@ def test_no_error_adds_up_in_relative_moves() -> None:
     steps = np.random.default_rng(0).normal(size=(20_000, 3)) * [0.013, 0.017, 0.0]
     way = np.cumsum(steps, axis=0)
     strand = toolpath.strand_of(way, np.tile([0.0, 0.0, 1.0], (len(way), 1)), False)
-    text = gcode_text(Drawing([strand], "mm", True), Motion(tool="laser", relative=True), "a", "1")
+    motion = Motion(tool="laser", relative=True)
+    text = "".join(gcode_pieces(Drawing([strand], "mm", True), motion, "a", "1"))
     at, relative = np.zeros(2), False
     for line in text.splitlines():
         relative = relative or line.startswith("G91")
@@ -152,7 +153,7 @@ def test_no_error_adds_up_in_relative_moves() -> None:
 def test_a_laser_in_space_follows_the_height() -> None:
     way = np.array([(0, 0, 0), (10, 0, 5), (20, 0, 1)], dtype=float)
     strand = toolpath.strand_of(way, np.tile([0.0, 0.0, 1.0], (3, 1)), False)
-    text = gcode_text(Drawing([strand], "mm", False), Motion(tool="laser"), "a", "1")
+    text = "".join(gcode_pieces(Drawing([strand], "mm", False), Motion(tool="laser"), "a", "1"))
     run = Machine("laser").run(text, 0.0)
     assert np.allclose(run.drawn[0], way)
 
@@ -185,7 +186,7 @@ NAMES = (
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("machine", ["grbl", "marlin"])
 def test_a_comment_holds_nothing_that_a_machine_acts_on(name: str, machine: str) -> None:
-    text = gcode_text(flat_drawing(), Motion(machine=machine), name, "1")
+    text = "".join(gcode_pieces(flat_drawing(), Motion(machine=machine), name, "1"))
     assert text.isascii() and not set("!?~%()\x18\t") & set(text)
     assert text.splitlines()[0].startswith("; ") and text.splitlines()[1].startswith("; 3 strands")
     if name == NAMES[-1]:
@@ -227,7 +228,7 @@ def test_a_head_that_would_stop_the_machine_is_a_sentence(
 def test_the_machine_is_left_as_it_was(machine: str, tool: str, extrusion: float) -> None:
     for relative in (False, True):
         motion = Motion(machine=machine, tool=tool, extrusion=extrusion, relative=relative)
-        lines = gcode_text(flat_drawing(), motion, "a", "1").splitlines()
+        lines = "".join(gcode_pieces(flat_drawing(), motion, "a", "1")).splitlines()
         words = [line.split(";")[0].strip() for line in lines]
         modes = [word for word in words if word in ("G90", "G91")]
         assert modes == (["G90", "G91", "G90"] if relative else ["G90"])
@@ -241,4 +242,4 @@ def test_the_machine_is_left_as_it_was(machine: str, tool: str, extrusion: float
 
 def test_every_tool_and_machine_is_a_choice_of_the_command() -> None:
     assert export.DEFAULTS["tool"] == "pen" and export.DEFAULTS["machine"] == "generic"
-    assert core.VERSION in gcode_text(flat_drawing(), Motion(), "a", core.VERSION)
+    assert core.VERSION in "".join(gcode_pieces(flat_drawing(), Motion(), "a", core.VERSION))

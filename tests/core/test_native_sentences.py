@@ -84,6 +84,8 @@ def pools(surface: int, flow: int, running: int) -> dict[str, list[Any]]:
         "distance": [0.1, -1.0], "spacing": [0.2, -1.0, np.nan], "detail": [0.0, -1.0],
         "radius": [0.1, -1.0, 99.0], "least_size": [0.0], "middle_lines": [0], "index": [0],
         "text": [b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", None],
+        "pattern": [b"%d %.3r\n", b"%s %d", b"none", None],
+        "row_count": [2, 2**63], "column_count": [2, 1],
         "size": [32], "side": [4, 0, 40000], "margin": [1],
         "nearest": [np.full(16, -1, dtype=np.int32), None],
         "parts": [1, 99],
@@ -147,6 +149,7 @@ IS_OUTPUT = {
     "meander_map_find_pixels": ("nearest",),
     "meander_surface_compute_directions": ("directions",),
     "meander_surface_compute_stroke_directions": ("directions",),
+    "meander_text_write_rows": ("text",),
 }
 
 

@@ -225,8 +225,8 @@ def others(folder: Path) -> list[str]:
             [toolpath.strand_of(flat + np.nan, up, False)], "mm", 1.0, 1.0, 0.0, True)),
         said_of(lambda: drawing.drawing_of(
             [toolpath.strand_of(0.0 * flat, up, False)], "mm", 1.0, 1.0, 0.0, True)),
-        said_of(lambda: gcode.gcode_text(
-            drawing.Drawing([strand], "cm", True), gcode.Motion(), "a", "1")),
+        said_of(lambda: "".join(gcode.gcode_pieces(
+            drawing.Drawing([strand], "cm", True), gcode.Motion(), "a", "1"))),
         reading(folder, "a.obj", face_of_nothing),
         reading(folder, "a.stl", f"solid a\n{spiky}endloop\nendfacet\n".encode()),
         reading(folder, "b.stl", binary_stl(0)[:84]),

@@ -235,6 +235,12 @@ std::vector<Call> surface_calls() {
                      return CALLED(text_read_numbers)(text.data(), text.size(), world.numbers.data(), 100,
                                                       &world.counts[0], &world.counts[1], error);
                    }, [] { return std::vector<Bytes>(); }, kAll, Memory::kOfGuard});
+  calls.push_back({"rows_of_text", [](World&) {}, [](World& world, meander_error* error) {
+                     constexpr double values[] = {1, -2.5, 3, 4};
+                     char text[64];
+                     return CALLED(text_write_rows)("%d %.3f\n", values, 2, 2, text, sizeof text, &world.counts[0],
+                                                    &world.counts[1], error);
+                   }});
   calls.push_back({"triangles", [](World&) {}, [](World& world, meander_error* error) {
                      const double ell[] = {0, 0, 0, 2, 0, 0, 2, 1, 0, 1, 1, 0, 1, 2, 0, 0, 2, 0};
                      const uint32_t corners[] = {0, 1, 2, 3, 4, 5};

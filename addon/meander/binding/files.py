@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the native library reads of mesh files: the text that has too many lines for Python, and the
-triangles of polygons.
+"""What the native library reads and writes of files: the text that has too many lines for Python,
+and the triangles of polygons.
 
 Nothing cancels these; an interruption leaves them alone with what they were given."""
 
@@ -75,6 +75,38 @@ def read_numbers(text: bytes, begin: int = 0) -> tuple[NDArray[np.float64], int]
         None,
     )
     return numbers[: count.value], begin + end.value
+
+
+def text_rows(pattern: str, values: ArrayLike) -> bytes:
+    """The text of rows of numbers, (n, columns) float64; see meander_text_write_rows.
+
+    pattern   what a row is, with a form for each column, such as "v %.17g %.17g %.17g\\n". %.3r is
+              %.3f without zeros at the end, and without the sign of 0; %% is a %
+
+    A call lasts as long as its rows are many: give some ten thousand, so that an interruption is
+    heard. Raises MeanderError for a pattern that means nothing, or has another number of columns.
+    """
+    table = np.ascontiguousarray(values, dtype=np.float64)
+    of_pattern, (count, columns) = pattern.encode("ascii"), table.shape
+    parts, done, size, rows = [], 0, c_size_t(), c_size_t()
+    # Enough for all in most cases, and always for one of them.
+    text = np.empty(330 * columns + (24 * columns + len(of_pattern)) * (count + 1), np.uint8)
+    while True:
+        call(
+            native().meander_text_write_rows,
+            of_pattern,
+            address_of(table[done:]),
+            count - done,
+            columns,
+            c_char_p(address_of(text)),
+            len(text),
+            byref(size),
+            byref(rows),
+        )
+        parts.append(text[: size.value].tobytes())
+        done += rows.value
+        if done == count:
+            return b"".join(parts)
 
 
 def triangulated(

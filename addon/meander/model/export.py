@@ -3,25 +3,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .files.rows import write_pieces
 from .files.text import read_plain
 from .files.whole import FileError, whole_file
 from .options.export import ROWS
 from .options.option import Values
 from .toolpaths import embroidery, lights, ros, usd
 from .toolpaths.drawing import VIEWS, Drawing, drawing_of, frame_of, moved
-from .toolpaths.dxf import dxf_text
-from .toolpaths.gcode import Motion, gcode_text, own_line
+from .toolpaths.dxf import dxf_pieces
+from .toolpaths.gcode import Motion, gcode_pieces, own_line
 from .toolpaths.gltf import glb_bytes
 from .toolpaths.order import AS_IT_IS, NOTHING_LEFT, Order, backwards, gone_on
 from .toolpaths.poses import poses_of
-from .toolpaths.svg import svg_text
+from .toolpaths.svg import svg_pieces
 from .toolpaths.toolpath import Strand
 
 # No plotter, laser or mill is wider, in millimetres.
@@ -382,6 +383,11 @@ def write(
     head, foot   lines of G-code in place of those of the machine
     frame_id     the frame of reference of messages of ROS
     """
+    if kind.name in ("SVG", "DXF", "GCODE"):
+        pieces = _pieces(kind, drawing, values, title, version, head, foot)
+        with whole_file(path) as temporary:
+            write_pieces(temporary, pieces)
+        return
     width = values["thickness"] * drawing.spacing
     if kind.name in ("DST", "PES"):
         content = embroidery.embroidery_bytes(drawing, title, kind.suffixes[0])
@@ -389,23 +395,34 @@ def write(
         content = usd.usd_bytes(drawing, width, title, version, path.suffix.lower())
     elif kind.name == "GLB":
         content = glb_bytes(drawing, width, title, version)
-    elif kind.name == "GCODE":
-        motion = Motion(**{name: values[name] for name in _OF_MOTION})
-        content = gcode_text(drawing, motion, title, version, head, foot).encode("utf-8")
     else:
         content = _text(kind, drawing, values, title, version, frame_id).encode("utf-8")
     with whole_file(path) as temporary:
         temporary.write_bytes(content)
 
 
+def _pieces(
+    kind: Format,
+    drawing: Drawing,
+    values: Values,
+    title: str,
+    version: str,
+    head: list[str] | None,
+    foot: list[str] | None,
+) -> Iterator[str]:
+    """The text of a file that may be long, a block after the other."""
+    if kind.name == "SVG":
+        return svg_pieces(drawing, values["line_width"], title, version)
+    if kind.name == "DXF":
+        return dxf_pieces(drawing)
+    motion = Motion(**{name: values[name] for name in _OF_MOTION})
+    return gcode_pieces(drawing, motion, title, version, head, foot)
+
+
 def _text(
     kind: Format, drawing: Drawing, values: Values, title: str, version: str, frame_id: str
 ) -> str:
     """The content of a file of text that needs no more than the drawing and a few options."""
-    if kind.name == "SVG":
-        return svg_text(drawing, values["line_width"], title, version)
-    if kind.name == "DXF":
-        return dxf_text(drawing)
     if kind.name == "XLIGHTS":
         return lights.xlights_text(drawing, values["pitch"], title)
     if kind.name == "WLED":

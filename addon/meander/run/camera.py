@@ -20,11 +20,12 @@ import numpy as np
 from .. import core
 from ..model.camera import CameraPage
 from ..model.empty import Empty, empty_of, percent
+from ..model.files.rows import write_pieces
 from ..model.files.whole import naming, whole_files
 from ..model.problem import Problem
 from ..model.report import write_report
 from ..model.toolpaths.drawing import Drawing
-from ..model.toolpaths.svg import page_text
+from ..model.toolpaths.svg import page_pieces
 from ..model.toolpaths.toolpath import Strand, resampled, strand_of, strands_of
 from ..scene.camera import Sight, seen_by
 from ..scene.errors import DataError
@@ -194,7 +195,7 @@ class CameraDrawing:
                 "with the camera"
             )
         version, page = core.library_version(), self.page.page
-        text = page_text(
+        pieces = page_pieces(
             [(layer.name, layer.strands) for layer in drawn],
             (page.width, page.height),
             line_width,
@@ -204,7 +205,7 @@ class CameraDrawing:
         record = self._record(version, line_width)
         with whole_files([each for each in (path, report) if each is not None]) as temporary:
             with naming(path):
-                temporary[0].write_bytes(text.encode("utf-8", "replace"))
+                write_pieces(temporary[0], pieces)
             if report is not None:
                 with naming(report):
                     write_report(temporary[1], record)

@@ -281,6 +281,26 @@ MEANDER_API meander_status meander_text_read_numbers(const char* text, size_t si
                                                      size_t capacity, size_t* count, size_t* end,
                                                      meander_error* error);
 
+/* Writes rows of numbers as text, such as the points of a curve as lines of a file: with the bytes of C's
+ * printf in the locale "C".
+ *
+ * pattern       zero-terminated, what a row is: text in which each column has one of these forms, in their
+ *               order: %d, a whole number, what is behind the point left out; %.Ng and %.Nf, N significant
+ *               digits and N decimals; %.Nr, as %.Nf but without zeros at the end of the decimals, without
+ *               a point before none, and without the sign of 0. N is from 0 to 17. A doubled % stands for
+ *               one. What is not finite is nan, inf or -inf
+ * values        double[row_count * column_count], row by row
+ * column_count  as many as the pattern has numbers, at least 1
+ * text          receives char[size], not zero-terminated
+ * capacity      room in `text`. 330 bytes a number and the length of the pattern are enough for any row
+ * size          receives how many bytes were written
+ * rows          receives how many rows were written: all, or as many as there was room for, and none in
+ *               part; call again with the others. Any thread. */
+MEANDER_API meander_status meander_text_write_rows(const char* pattern, const double* values,
+                                                   size_t row_count, size_t column_count, char* text,
+                                                   size_t capacity, size_t* size, size_t* rows,
+                                                   meander_error* error);
+
 /* Triangles that polygons were divided into. */
 typedef struct meander_triangles {
   uint32_t struct_size; /* set by meander_triangles_init */

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What mesh files of text hold, and the triangles of polygons.
+// What mesh files of text hold, rows of numbers as text, and the triangles of polygons.
 #include <algorithm>
 
 #include "api/results.h"
 #include "mesh/mesh_text.h"
 #include "mesh/polygon_triangles.h"
+#include "outputs/row_text.h"
 
 using namespace meander;
 
@@ -49,6 +50,22 @@ meander_status meander_text_read_numbers(const char* text, size_t size, double* 
     require(text != nullptr || size == 0, "The text is NULL.");
     require(count && end, "The pointer for the count or the end is NULL.");
     *count = read_numbers({text, size}, room(numbers, capacity), *end);
+  });
+}
+
+meander_status meander_text_write_rows(const char* pattern, const double* values, size_t row_count,
+                                       size_t column_count, char* text, size_t capacity, size_t* size, size_t* rows,
+                                       meander_error* error) {
+  return guard(error, [&] {
+    require(pattern != nullptr, "The pattern of a row is NULL.");
+    require(size && rows, "The pointer for the size or the rows is NULL.");
+    const RowPattern row(pattern);
+    require(column_count > 0 && column_count == row.columns(),
+            "A row must have as many columns as its pattern has numbers, and at least one.");
+    require(row_count <= SIZE_MAX / column_count, "There are more numbers than memory could hold.");
+    const std::span<const double> numbers(values, row_count * column_count);
+    require(values != nullptr || numbers.empty(), "The values are NULL.");
+    *size = row.write(numbers, room(text, capacity), *rows);
   });
 }
 

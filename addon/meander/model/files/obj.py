@@ -12,6 +12,7 @@ library, which names the element. It reads the text too, in a fifteenth of the t
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,7 @@ from numpy.typing import NDArray
 from ... import core
 from ...core import Polylines, Seed
 from .polygons import MeshOfFile, left_out, triangles_of
+from .rows import rows, write_pieces
 from .text import in_file, read_plain, told_apart
 from .whole import FileError, whole_file
 
@@ -189,17 +191,22 @@ def write_obj_curve(path: str | Path, polylines: Polylines, pairs: bool = False)
 
     Raises FileError when the file cannot be written; it is then as it was.
     """
-    positions = np.ascontiguousarray(polylines.positions, dtype=np.float64).reshape(-1, 3)
-    text = ["# Meander: v and l lines; a closed strand ends with its first index again\n"]
-    text.append(("v %.17g %.17g %.17g\n" * len(positions)) % tuple(positions.ravel().tolist()))
+    with whole_file(Path(path)) as temporary:
+        write_pieces(temporary, _curve_pieces(polylines, pairs))
+
+
+def _curve_pieces(polylines: Polylines, pairs: bool) -> Iterator[str]:
+    yield "# Meander: v and l lines; a closed strand ends with its first index again\n"
+    positions = np.asarray(polylines.positions, dtype=np.float64).reshape(-1, 3)
+    yield from rows("v %.17g %.17g %.17g\n", positions)
     offsets = np.asarray(polylines.offsets).tolist()
     for start, stop, closed in zip(offsets[:-1], offsets[1:], polylines.closed, strict=True):
-        indices = list(range(start + 1, stop + 1))
+        indices = np.arange(start + 1, stop + 1)
         if closed:
-            indices.append(start + 1)
+            indices = np.append(indices, start + 1)
         if pairs:
-            text += [f"l {a} {b}\n" for a, b in zip(indices[:-1], indices[1:])]
+            yield from rows("l %d %d\n", indices[:-1], indices[1:])
         else:
-            text.append("l " + " ".join(map(str, indices)) + "\n")
-    with whole_file(Path(path)) as temporary:
-        temporary.write_text("".join(text), encoding="ascii", newline="\n")
+            yield "l"
+            yield from rows(" %d", indices)
+            yield "\n"

@@ -8,23 +8,28 @@ readers pass over.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
+from ..files.rows import rows
+from ..geometry.arcs import Moves
 from .drawing import Drawing, number
 from .toolpath import Strand
 
 LAYER = "MEANDER"
 _UNIT_CODES = {"mm": 4, "cm": 5, "in": 1}
 _DECIMALS = {"mm": 6, "cm": 7, "in": 8}
+_AXES = (10, 20, 30)
 _CLOSED, _IN_SPACE, _VERTEX_IN_SPACE = 1, 8, 32
 
 
-def dxf_text(drawing: Drawing) -> str:
-    """The file's text: pairs of lines, a group code and its value."""
+def dxf_pieces(drawing: Drawing) -> Iterator[str]:
+    """The file's text, in pieces: pairs of lines, a group code and its value."""
     low, high = drawing.box()
     decimals = _DECIMALS[drawing.unit]
     layers = list(dict.fromkeys(map(_layer_of, drawing.strands)))
-    pairs: list[tuple[int, str | int]] = [
+    yield _lines(
         (0, "SECTION"),
         (2, "HEADER"),
         (9, "$ACADVER"),
@@ -50,20 +55,27 @@ def dxf_text(drawing: Drawing) -> str:
         (0, "ENDSEC"),
         (0, "SECTION"),
         (2, "ENTITIES"),
-    ]
+    )
     kind = 0 if drawing.flat else _IN_SPACE
     for place, strand in enumerate(drawing.strands):
         layer = _layer_of(strand)
-        pairs += [(0, "POLYLINE"), (8, layer), (66, 1), *_place((0.0, 0.0, 0.0), decimals)]
-        pairs.append((70, kind | (_CLOSED if strand.closed else 0)))
-        for point, bulge in _vertices(drawing, place):
-            pairs += [(0, "VERTEX"), (8, layer), *_place(point, decimals)]
-            if bulge:
-                pairs.append((42, number(bulge, 9)))
+        begin = [(0, "POLYLINE"), (8, layer), (66, 1), *_place((0.0, 0.0, 0.0), decimals)]
+        yield _lines(*begin, (70, kind | (_CLOSED if strand.closed else 0)))
+        if drawing.moves is None:
+            pairs = [(0, "VERTEX"), (8, layer)]
+            pairs += [(code, f"%.{decimals}r") for code in _AXES]
             if not drawing.flat:
                 pairs.append((70, _VERTEX_IN_SPACE))
-        pairs += [(0, "SEQEND"), (8, layer)]
-    pairs += [(0, "ENDSEC"), (0, "EOF")]
+            yield from rows(_lines(*pairs), strand.points)
+        else:
+            for point, bulge in _bulged(drawing.moves[place], strand.closed):
+                pairs = [(0, "VERTEX"), (8, layer), *_place(point, decimals)]
+                yield _lines(*pairs, *([(42, number(bulge, 9))] if bulge else []))
+        yield _lines((0, "SEQEND"), (8, layer))
+    yield _lines((0, "ENDSEC"), (0, "EOF"))
+
+
+def _lines(*pairs: tuple[int, str | int]) -> str:
     return "".join(f"{code:3d}\n{value}\n" for code, value in pairs)
 
 
@@ -72,18 +84,14 @@ def _layer_of(strand: Strand) -> str:
     return f"{LAYER}_{strand.part}" if strand.part else LAYER
 
 
-def _vertices(drawing: Drawing, place: int) -> list[tuple[list[float], float]]:
-    """The vertices of a strand, and the bulge of the arc that leaves each."""
-    strand = drawing.strands[place]
-    if drawing.moves is None:
-        return [(point, 0.0) for point in strand.points.tolist()]
-    moves = drawing.moves[place]
+def _bulged(moves: Moves, closed: bool) -> list[tuple[list[float], float]]:
+    """The vertices of a way in a plane, and the bulge of the arc that leaves each."""
     points = np.vstack([moves.start, moves.ends])
     bulges = np.append(moves.bulges, 0.0)
-    if strand.closed:  # the last one ends at the first vertex
+    if closed:  # the last one ends at the first vertex
         points, bulges = points[:-1], bulges[:-1]
     return [([x, y, 0.0], bulge) for (x, y), bulge in zip(points.tolist(), bulges.tolist())]
 
 
 def _place(point, decimals: int) -> list[tuple[int, str | int]]:
-    return [(code, number(value, decimals)) for code, value in zip((10, 20, 30), point)]
+    return [(code, number(value, decimals)) for code, value in zip(_AXES, point)]

@@ -10,11 +10,12 @@ those of the controller.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from ..files.rows import rows
 from ..files.whole import FileError
 from ..geometry.arcs import Moves
 from .drawing import Drawing, number, ring
@@ -116,15 +117,15 @@ _CONTROLLERS = {
 }
 
 
-def gcode_text(
+def gcode_pieces(
     drawing: Drawing,
     motion: Motion,
     title: str,
     version: str,
     head: Sequence[str] | None = None,
     foot: Sequence[str] | None = None,
-) -> str:
-    """The file's text. Raises FileError for a unit that G-code does not know.
+) -> Iterator[str]:
+    """The file's text, in pieces. Raises FileError for a unit that G-code does not know.
 
     head, foot   lines in place of those of the controller, behind the unit and at the end
     """
@@ -151,11 +152,11 @@ def gcode_text(
                 writer.line(f"M0 ; part {strand.part}")
             kind = "closed" if strand.closed else "open"
             writer.line(f"; layer {layer}, strand {place + 1}, {kind}")
-            writer.follow(way, None if drawing.moves is None else drawing.moves[place])
+            yield from writer.follow(way, None if drawing.moves is None else drawing.moves[place])
     writer.end()
     for line in words.foot if foot is None else foot:
         writer.line(line)
-    return "\n".join([*writer.lines, ""])
+    yield writer.taken()
 
 
 def _offset(drawing: Drawing, motion: Motion, layer: int) -> list[np.ndarray]:
@@ -193,10 +194,10 @@ def own_line(line: str, place: str) -> str:
 
 
 class _Writer:
-    """The lines of the file."""
+    """The lines of the file, as text that waits until it is taken."""
 
     def __init__(self, drawing: Drawing, motion: Motion) -> None:
-        self.lines: list[str] = []
+        self._waiting: list[str] = []
         self.safe = 0.0
         self.words = _CONTROLLERS[motion.machine]
         self._motion, self._flat = motion, drawing.flat
@@ -210,7 +211,13 @@ class _Writer:
         self._relative_now = False
 
     def line(self, text: str) -> None:
-        self.lines.append(text)
+        self._waiting.append(text + "\n")
+
+    def taken(self) -> str:
+        """What waits, which is then forgotten here."""
+        text = "".join(self._waiting)
+        self._waiting.clear()
+        return text
 
     def begin(self) -> None:
         """Everything off and up, and a first place that relative moves go on from."""
@@ -233,7 +240,7 @@ class _Writer:
         elif self._motion.tool == "spindle":
             self.line(self.words.spindle_off)
 
-    def follow(self, way: np.ndarray, moves: Moves | None) -> None:
+    def follow(self, way: np.ndarray, moves: Moves | None) -> Iterator[str]:
         """Over the first point, down to it, along all others, and up again; with arcs where there
         are moves."""
         x, y, z = way[0].tolist()
@@ -246,7 +253,8 @@ class _Writer:
             self._go_relative()
             self._switch(True)
         if moves is None:
-            self._along(way)
+            yield self.taken()
+            yield from self._along(way)
         else:
             self._along_arcs(moves)
         if self._lifts:
@@ -254,15 +262,20 @@ class _Writer:
         else:
             self._switch(False)
 
-    def _along(self, way: np.ndarray) -> None:
-        steps = np.linalg.norm(np.diff(way, axis=0), axis=1)
+    def _along(self, way: np.ndarray) -> Iterator[str]:
+        axes = "xy" if self._flat and not self._lifts else "xyz"
+        here = np.rint(way[:, : len(axes)] * self._steps)
+        gone = np.diff(here, axis=0) if self._relative_now else here[1:]
+        columns = [gone / self._steps]
+        words = " ".join(f"{axis.upper()}%.{self._decimals}r" for axis in axes)
+        if self._motion.extrusion > 0.0:
+            steps = np.linalg.norm(np.diff(way, axis=0), axis=1)
+            columns.append(self._motion.extrusion * steps)
+        more = " E%.6r" if self._motion.extrusion > 0.0 else ""
         first = "" if self._lifts else f" F{self._feed}"
-        for (x, y, z), step in zip(way[1:].tolist(), steps.tolist()):
-            more, first = first, ""
-            if self._motion.extrusion > 0.0:
-                more += f" E{number(self._motion.extrusion * step, 6)}"
-            flat = self._flat and not self._lifts
-            self._move("G1", {"x": x, "y": y} if flat else {"x": x, "y": y, "z": z}, more)
+        yield from rows(f"G1 {words}{first}{more}\n", *(values[:1] for values in columns))
+        yield from rows(f"G1 {words}{more}\n", *(values[1:] for values in columns))
+        self._at.update(zip(axes, here[-1].astype(np.int64).tolist()))
 
     def _along_arcs(self, moves: Moves) -> None:
         """At one height: lines, and arcs by their centres as seen from where they begin."""

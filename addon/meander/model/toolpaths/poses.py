@@ -8,13 +8,14 @@ axis along the curve, at right angles to the normal, and its y axis completes a 
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..files.rows import rows, write_pieces
 from ..files.whole import whole_file
 from .toolpath import Strand
 
@@ -116,15 +117,18 @@ def write(path: str | Path, poses: Sequence[Poses], version: str) -> None:
                 for each in poses
             ],
         }
-        text = json.dumps(record, allow_nan=False) + "\n"
+        pieces = iter([json.dumps(record, allow_nan=False) + "\n"])
     else:
-        lines = [_COLUMNS]
-        for number, each in enumerate(poses):
-            table = np.column_stack(
-                [each.places, each.quaternions, each.normals, each.tangents, each.arc_lengths]
-            )
-            for kind, row in zip(each.kinds, table.tolist()):
-                lines.append(f"{number},{KINDS[kind]}," + ",".join(f"{v:.12g}" for v in row))
-        text = "\n".join([*lines, ""])
+        pieces = _csv_pieces(poses)
     with whole_file(Path(path)) as temporary:
-        temporary.write_text(text, encoding="ascii", newline="\n")
+        write_pieces(temporary, pieces)
+
+
+def _csv_pieces(poses: Sequence[Poses]) -> Iterator[str]:
+    yield _COLUMNS + "\n"
+    for number, each in enumerate(poses):
+        columns = [each.places, each.quaternions, each.normals, each.tangents, each.arc_lengths]
+        begins = np.flatnonzero(np.diff(each.kinds, prepend=-1, append=-1))
+        for begin, end in zip(begins[:-1].tolist(), begins[1:].tolist()):
+            pattern = f"{number},{KINDS[each.kinds[begin]]}" + ",%.12g" * 14 + "\n"
+            yield from rows(pattern, *(values[begin:end] for values in columns))

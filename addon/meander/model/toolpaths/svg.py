@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
+from ..files.rows import rows
 from ..geometry.arcs import Moves
 from .drawing import Drawing, number
 from .toolpath import Strand
@@ -41,29 +42,32 @@ def _path_of(moves: Moves, shift: np.ndarray, decimals: int) -> str:
 
 def _path(
     place: int, strand: Strand, moves: Moves | None, shift: np.ndarray, decimals: int
-) -> str:
+) -> Iterator[str]:
     """The element of a strand, through its points or along moves."""
     x = strand.points[:, 0] + shift[0]
     y = shift[1] - strand.points[:, 1]
-    places = [f"{number(a, decimals)} {number(b, decimals)}" for a, b in zip(x, y)]
-    end = "Z" if strand.closed else ""
-    drawn = f'L{" ".join(places[1:])}'
+    point = f"%.{decimals}r %.{decimals}r"
+    yield f'<path id="strand{place}" d="'
+    yield from rows(f"M{point}", x[:1], y[:1])
     if moves is not None:
-        drawn = _path_of(moves, shift, decimals)
-    return f'<path id="strand{place}" d="M{places[0]}{drawn}{end}"/>'
+        yield _path_of(moves, shift, decimals)
+    else:
+        yield from rows(f"L{point}", x[1:2], y[1:2])
+        yield from rows(f" {point}", x[2:], y[2:])
+    yield f'{"Z" if strand.closed else ""}"/>\n'
 
 
 def _layer(name: str) -> str:
     """The beginning of a layer, as Inkscape and what reads its files have them."""
     label = quoteattr(xml_text(name))
-    return f'<g inkscape:groupmode="layer" inkscape:label={label}>'
+    return f'<g inkscape:groupmode="layer" inkscape:label={label}>\n'
 
 
 def _head(
     sides: Sequence[str], unit: str, inkscape: str, width: float, title: str, version: str
-) -> list[str]:
+) -> str:
     """What comes before the paths; sides and width are in the unit."""
-    return [
+    lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<svg xmlns="http://www.w3.org/2000/svg"{inkscape} version="1.1" '
         f'width="{sides[0]}{unit}" '
@@ -72,17 +76,19 @@ def _head(
         f"<desc>Meander {escape(version)}; unit {unit}</desc>",
         f'<g fill="none" stroke="#000000" stroke-width="{number(width, _DECIMALS[unit])}" '
         'stroke-linecap="round" stroke-linejoin="round">',
+        "",
     ]
+    return "\n".join(lines)
 
 
-def page_text(
+def page_pieces(
     layers: Sequence[tuple[str, Sequence[Strand]]],
     sides: Sequence[float],
     line_width: float,
     title: str,
     version: str,
-) -> str:
-    """The text of a file that is a whole page, with a layer for each name.
+) -> Iterator[str]:
+    """The text of a file that is a whole page, with a layer for each name, in pieces.
 
     layers       names, and strands in millimetres from the lower left corner, y upwards
     sides        width and height of the page, in millimetres
@@ -91,20 +97,21 @@ def page_text(
     Numbers of paths go on from layer to layer.
     """
     decimals, shift, place = _DECIMALS["mm"], np.array([0.0, sides[1]]), 0
-    lines = _head(
-        [number(side, decimals) for side in sides], "mm", _INKSCAPE, line_width, title, version
-    )
+    written = [number(side, decimals) for side in sides]
+    yield _head(written, "mm", _INKSCAPE, line_width, title, version)
     for name, strands in layers:
-        lines.append(_layer(name))
+        yield _layer(name)
         for strand in strands:
             place += 1
-            lines.append(_path(place, strand, None, shift, decimals))
-        lines.append("</g>")
-    return "\n".join([*lines, "</g>", "</svg>", ""])
+            yield from _path(place, strand, None, shift, decimals)
+        yield "</g>\n"
+    yield "</g>\n</svg>\n"
 
 
-def svg_text(drawing: Drawing, line_width: float, title: str, version: str) -> str:
-    """The file's text.
+def svg_pieces(
+    drawing: Drawing, line_width: float, title: str, version: str
+) -> Iterator[str]:
+    """The file's text, in pieces.
 
     drawing      flat
     line_width   in millimetres, and the margin on all sides
@@ -120,14 +127,13 @@ def svg_text(drawing: Drawing, line_width: float, title: str, version: str) -> s
     inkscape = ""
     if any(strand.part for strand in drawing.strands):
         inkscape = _INKSCAPE
-    lines = _head(sides, drawing.unit, inkscape, width, title, version)
+    yield _head(sides, drawing.unit, inkscape, width, title, version)
     shift = np.array([width - low[0], high[1] + width])
     for place, strand in enumerate(drawing.strands, start=1):
         if strand.part:  # a layer, as Inkscape and what reads its files have them
-            name = f"part {strand.part}"
-            lines.append(_layer(name))
+            yield _layer(f"part {strand.part}")
         moves = None if drawing.moves is None else drawing.moves[place - 1]
-        lines.append(_path(place, strand, moves, shift, decimals))
+        yield from _path(place, strand, moves, shift, decimals)
         if strand.part:
-            lines.append("</g>")
-    return "\n".join([*lines, "</g>", "</svg>", ""])
+            yield "</g>\n"
+    yield "</g>\n</svg>\n"

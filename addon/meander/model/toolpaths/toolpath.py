@@ -8,7 +8,7 @@ lie on the pieces of the polyline, and so on the surface, since every piece lies
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core import PointData, Polylines
+from ..files.rows import rows, write_pieces
 from ..files.whole import FileError, whole_file
 from ..geometry.simplification import kept_within
 
@@ -247,7 +248,8 @@ def _tangents(points: np.ndarray, closed: bool) -> np.ndarray:
 # Files
 
 _COLUMNS = "strand,closed,point,x,y,z,nx,ny,nz,tx,ty,tz,arc_length,r_plus,r_minus,face,w0,w1,w2"
-_FORMATS = ["%d"] * 3 + ["%.17g"] * 3 + ["%.9g"] * 6 + ["%.17g"]
+# Of a point's own number, its place, its directions, and the arc length there.
+_ROW = ",".join(["%d", *["%.17g"] * 3, *["%.9g"] * 6, "%.17g"])
 # Columns that may be unknown, and are then left empty.
 _MORE = (("radii", 2, "%.9g"), ("faces", 1, "%d"), ("weights", 3, "%.17g"))
 
@@ -259,26 +261,22 @@ def write_csv(path: str | Path, strands: list[Strand]) -> None:
     first. What is not known of a strand is left empty. Raises FileError when the file cannot be
     written; it is then as it was.
     """
-    with whole_file(Path(path)) as temporary, temporary.open("w", newline="\n") as file:
-        file.write(_COLUMNS + "\n")
-        for number, strand in enumerate(strands):
-            count = len(strand.points)
-            values = [
-                np.full(count, number),
-                np.full(count, int(strand.closed)),
-                np.arange(count),
-                strand.points,
-                strand.normals,
-                strand.tangents,
-                strand.arc_lengths,
-            ]
-            formats = list(_FORMATS)
-            for name, width, kind in _MORE:
-                known = getattr(strand, name)
-                formats += [kind if known is not None else ""] * width
-                if known is not None:
-                    values.append(known)
-            np.savetxt(file, np.column_stack(values), fmt=",".join(formats), newline="\n")
+    with whole_file(Path(path)) as temporary:
+        write_pieces(temporary, _csv_pieces(strands))
+
+
+def _csv_pieces(strands: list[Strand]) -> Iterator[str]:
+    yield _COLUMNS + "\n"
+    for number, strand in enumerate(strands):
+        pattern = f"{number},{int(strand.closed)},{_ROW}"
+        columns = [np.arange(len(strand.points)), strand.points, strand.normals]
+        columns += [strand.tangents, strand.arc_lengths]
+        for name, width, form in _MORE:
+            known = getattr(strand, name)
+            pattern += f",{form}" * width if known is not None else "," * width
+            if known is not None:
+                columns.append(known)
+        yield from rows(pattern + "\n", *columns)
 
 
 def write_json(path: str | Path, strands: list[Strand], version: str) -> None:
