@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# install_dependencies.sh [--bpy VERSION]... [--site] [--farm] [--sanitizers]
+# install_dependencies.sh [--bpy VERSION]... [--site] [--farm] [--sanitizers] [--csharp]
 # install_dependencies.sh --package [--emulators] [--web] [--browser]
 # install_dependencies.sh --build
 #
@@ -10,7 +10,8 @@
 # build/bpy-VERSION with Blender as a Python module, pytest, ruff, import-linter, what packs the sources, and readers of what
 # is exported from the Python index, for --site one, build/site-tools, with what makes the site from
 # the pages in docs/, for --farm Slurm, for scripts/test_farm.sh, and for --sanitizers Clang, for
-# scripts/test_sanitized.sh, and its library for Python, for tests/mutation.
+# scripts/test_sanitized.sh, and its library for Python, for tests/mutation, and for --csharp Mono, for
+# tests/core/test_csharp.py.
 #
 # With --package it installs what scripts/package.sh needs and nothing else, no Blender: CMake, and in
 # build/package-tools Zig, which compiles for every platform, and the headers that it needs. With
@@ -40,6 +41,7 @@ farm_packages=(slurmctld slurmd slurm-client munge)
 bpy_packages=(ca-certificates python3-venv
   libsm6 libxext6 libxfixes3 libxi6 libxkbcommon0 libxrender1)
 # Clang compiles with sanitizers in half of the time that GCC takes.
+csharp_packages=(mono-mcs mono-runtime libmono-system-core4.0-cil)
 sanitizer_packages=(clang libclang-rt-dev python3-clang)
 package_packages=(ca-certificates cmake ninja-build python3 python3-markdown python3-venv "${header_packages[@]}")
 # Node runs 18 in Debian 12; a later one that is on the PATH is as good.
@@ -51,6 +53,7 @@ bpy_versions=()
 site=0
 farm=0
 sanitizers=0
+csharp=0
 package_tools=0
 emulators=0
 web=0
@@ -62,12 +65,13 @@ while [ $# -gt 0 ]; do
     --site) site=1; shift ;;
     --farm) farm=1; shift ;;
     --sanitizers) sanitizers=1; shift ;;
+    --csharp) csharp=1; shift ;;
     --package) package_tools=1; shift ;;
     --emulators) emulators=1; shift ;;
     --web) web=1; shift ;;
     --browser) browser=1; shift ;;
     --build) build_only=1; shift ;;
-    *) echo "usage: $0 [--bpy VERSION]... [--site] [--farm] [--sanitizers] | --package [--emulators] [--web] [--browser] | --build" >&2
+    *) echo "usage: $0 [--bpy VERSION]... [--site] [--farm] [--sanitizers] [--csharp] | --package [--emulators] [--web] [--browser] | --build" >&2
        exit 2 ;;
   esac
 done
@@ -85,6 +89,7 @@ fi
 [ $site -eq 0 ] || wanted+=(ca-certificates python3-venv)
 [ $farm -eq 0 ] || wanted+=("${farm_packages[@]}")
 [ $sanitizers -eq 0 ] || wanted+=("${sanitizer_packages[@]}")
+[ $csharp -eq 0 ] || wanted+=("${csharp_packages[@]}")
 
 missing=()
 for package in "${wanted[@]}"; do

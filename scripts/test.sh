@@ -12,7 +12,7 @@
 # With --all, every night or by hand, also what is compiled anew for it, which takes longer than all else: the native
 # tests and a minute of fuzzing the C API under sanitizers, what runs in threads under ThreadSanitizer, whether curves
 # have the same bytes however the library is compiled, the library and the page for browsers, what pip builds from the
-# sources, and the library of a release for Windows.
+# sources, the library of a release for Windows, and a program in C#.
 #
 # The summary names the slowest test of each suite with its processor seconds; all are in
 # build/logs/SUITE.times. Where MEANDER_TEST_LIMIT is set, a test that takes more processor seconds
@@ -35,7 +35,7 @@ mkdir -p "$logs" build/profiles
 bash scripts/install_dependencies.sh --build
 # The rest, Blender and much else, is fetched and unpacked while the first programs are built.
 {
-  bash scripts/install_dependencies.sh --bpy 4.5 --site --sanitizers
+  bash scripts/install_dependencies.sh --bpy 4.5 --site --sanitizers $($all && echo --csharp)
   bash scripts/install_dependencies.sh --package $($all && echo --emulators)
 } >"$logs/install.log" 2>&1 &
 installing=$!
