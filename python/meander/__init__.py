@@ -68,6 +68,7 @@ from .core import (
 from .core import VERSION as __version__
 from .files import read_curve, read_mesh, write_curve, write_cut
 from .model.files.whole import FileError
+from .pictures import Drawing, draw_picture
 
 __all__ = [
     "ABI_VERSION",
@@ -87,6 +88,7 @@ __all__ = [
     "Context",
     "Cost",
     "CutSurface",
+    "Drawing",
     "Extent",
     "Faults",
     "FileError",
@@ -108,6 +110,7 @@ __all__ = [
     "automatic_spacing",
     "cut_surface",
     "default_options",
+    "draw_picture",
     "estimate_cost",
     "find_closest",
     "find_faults",

@@ -88,7 +88,7 @@ def write_curve(
     for name, length in (("step", step), ("tolerance", tolerance)):
         if length is not None and not length > 0.0:
             raise FileError(f"{name} {length!r} is not greater than 0")
-    values = _drawing_values(suffix, kind, drawing)
+    values = drawing_values(suffix, kind, drawing)
     if kind is not None and export.lacks_plane(kind, values):
         raise FileError('arcs lie in a plane; choose a layout that is flat, such as "top"')
     if suffix == ".obj":
@@ -129,7 +129,7 @@ def write_cut(path: str | Path, cut: CutSurface, spacing: float) -> None:
         cut_files.write(temporary, cut, spacing)
 
 
-def _drawing_values(
+def drawing_values(
     suffix: str, kind: export.Format | None, drawing: dict[str, Any]
 ) -> dict[str, Any]:
     """The options of a drawing by setting, with the defaults of those that are not given."""

@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 from file_cases import CASES, SQUARE, binary_stl, obj, ply, stl
 from meander import batch, core
-from meander.cli import command, limits
+from meander.cli import command, limits, picture
 from meander.cli.place import Place
 from meander.cli.values import BadInput
 from meander.model.files import meshes, whole
@@ -147,6 +147,21 @@ TRIES = """
 --output out.svg --layout top --chord-tolerance 0.3 --spacing 0.1 --iterations 300 --size 90
 """
 
+# The same behind --output out.svg.
+PICTURES = """
+--picture none.png
+--picture a.png --test-strip
+--test-strip --crop 0 0 1 1
+--test-strip --output out.fbx
+--test-strip --preview out.jpg
+--test-strip --arcs 0.1 --output out.obj
+--test-strip --lightest 0.4 --darkest 0.3
+--test-strip --levels 90 10
+--test-strip --output folder.obj
+--test-strip --output none/out.svg
+--test-strip --report out.svg
+"""
+
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -180,6 +195,8 @@ def said_of(call: Callable[[], object]) -> str:
 def tried(folder: Path, line: str) -> str:
     base = ["--input", "sheet.obj", "--output", "out.obj", "--spacing", "0.3", "--iterations", "1"]
     words = shlex.split(line)
+    if picture.is_asked(words):
+        base = ["--output", "out.svg"]
     words = ["x" * 300 + ".obj" if word == "long" else word for word in words]
     at = Path.cwd()
     os.chdir(folder)
@@ -266,13 +283,15 @@ ELSEWHERE = {
     "which no machine can do": "needs pyembroidery",
     "All strands are shorter than a stitch": "the same: test_what_machines_take.py",
     "would overwrite \0, from which this run": "needs Blender: tests/blender/test_maps.py",
+    "is not within the picture": "needs Pillow: test_picture.py",
     "--maps is not possible here: the UV map": "needs Blender: tests/blender/test_maps.py",
 }
 
 
 @pytest.fixture(scope="module")
 def said(folder: Path) -> dict[str, str]:
-    found = {line: tried(folder, line) for line in TRIES.strip().splitlines()}
+    lines = (TRIES + PICTURES).split("\n")
+    found = {line: tried(folder, line) for line in lines if line}
     for case in CASES:
         found[f"{case.kind}: {case.title}"] = f"FILE{case.said}" if case.said else ""
     for number, text in enumerate(others(folder)):

@@ -21,7 +21,18 @@ from ..model.least_bend import sharpest_bend
 from ..model.opening import Opened, open_flow
 from ..model.preparation import described
 from ..model.toolpaths import bridges
-from . import cut, least_bend, limits, maps, mirror, preparation, spacing, standard, target_length
+from . import (
+    cut,
+    least_bend,
+    limits,
+    maps,
+    mirror,
+    picture,
+    preparation,
+    spacing,
+    standard,
+    target_length,
+)
 from .arguments import check_arguments, parsed
 from .exit_code import GapsLeft, exit_code_of, while_heard
 from .grown import Grown, grown_of, length_of, written
@@ -239,4 +250,6 @@ def main(argv: Sequence[str], place: Place) -> int:
     A run that has reached the iteration limit is done; the report says so.
     """
     place = replace(place, say=partial(while_heard, place.say))
+    if picture.is_asked(argv):
+        return exit_code_of(lambda: picture.process(argv, place))
     return exit_code_of(lambda: _process(argv, place))

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
+from ..model.picture.image import Image
 from ..model.toolpaths import bridges, toolpath
 from .exit_code import while_heard
 from .grown import Grown
@@ -74,6 +75,9 @@ class Host(Protocol):
 
     def image_file(self, name: str) -> Path | None:
         """The file of an image of the scene; None: it has none."""
+
+    def read_picture(self, path: Path) -> Image:
+        """The picture in a file."""
 
     def metres(self) -> float:
         """The length of a scene unit."""

@@ -19,6 +19,7 @@ from .. import core
 from ..cli.grown import Grown
 from ..cli.input import Input
 from ..cli.values import BadInput
+from ..model.picture.image import Image
 from ..model.toolpaths import bridges, toolpath
 from ..model.toolpaths.drawing import axes_of
 
@@ -114,6 +115,11 @@ class Blender:
         if image is None or not image.filepath:
             return None
         return Path(bpy.path.abspath(image.filepath, library=image.library))
+
+    def read_picture(self, path: Path) -> Image:
+        from ..scene.picture import read_picture
+
+        return read_picture(path)
 
     def metres(self) -> float:
         import bpy

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
@@ -383,52 +383,43 @@ def write(
     head, foot   lines of G-code in place of those of the machine
     frame_id     the frame of reference of messages of ROS
     """
-    if kind.name in ("SVG", "DXF", "GCODE"):
-        pieces = _pieces(kind, drawing, values, title, version, head, foot)
-        with whole_file(path) as temporary:
-            write_pieces(temporary, pieces)
-        return
-    width = values["thickness"] * drawing.spacing
-    if kind.name in ("DST", "PES"):
-        content = embroidery.embroidery_bytes(drawing, title, kind.suffixes[0])
-    elif kind.name == "USD":
-        content = usd.usd_bytes(drawing, width, title, version, path.suffix.lower())
-    elif kind.name == "GLB":
-        content = glb_bytes(drawing, width, title, version)
-    else:
-        content = _text(kind, drawing, values, title, version, frame_id).encode("utf-8")
+    pieces = pieces_of(kind, drawing, values, title, version, path.suffix, head, foot, frame_id)
     with whole_file(path) as temporary:
-        temporary.write_bytes(content)
+        write_pieces(temporary, pieces)
 
 
-def _pieces(
+def pieces_of(
     kind: Format,
     drawing: Drawing,
     values: Values,
     title: str,
     version: str,
-    head: list[str] | None,
-    foot: list[str] | None,
-) -> Iterator[str]:
-    """The text of a file that may be long, a block after the other."""
+    suffix: str,
+    head: Sequence[str] | None = None,
+    foot: Sequence[str] | None = None,
+    frame_id: str = ros.FRAME,
+) -> Iterable[str | bytes]:
+    """What a file of a drawing holds, a block after the other; see write()."""
     if kind.name == "SVG":
         return svg_pieces(drawing, values["line_width"], title, version)
     if kind.name == "DXF":
         return dxf_pieces(drawing)
-    motion = Motion(**{name: values[name] for name in _OF_MOTION})
-    return gcode_pieces(drawing, motion, title, version, head, foot)
-
-
-def _text(
-    kind: Format, drawing: Drawing, values: Values, title: str, version: str, frame_id: str
-) -> str:
-    """The content of a file of text that needs no more than the drawing and a few options."""
+    if kind.name == "GCODE":
+        motion = Motion(**{name: values[name] for name in _OF_MOTION})
+        return gcode_pieces(drawing, motion, title, version, head, foot)
+    if kind.name in ("DST", "PES"):
+        return [embroidery.embroidery_bytes(drawing, title, kind.suffixes[0])]
     if kind.name == "XLIGHTS":
-        return lights.xlights_text(drawing, values["pitch"], title)
+        return [lights.xlights_text(drawing, values["pitch"], title)]
     if kind.name == "WLED":
-        return lights.wled_text(drawing, values["pitch"], title)
+        return [lights.wled_text(drawing, values["pitch"], title)]
     if kind.name == "PIXELBLAZE":
-        return lights.pixelblaze_text(drawing)
+        return [lights.pixelblaze_text(drawing)]
+    width = values["thickness"] * drawing.spacing
+    if kind.name == "USD":
+        return [usd.usd_bytes(drawing, width, title, version, suffix.lower())]
+    if kind.name == "GLB":
+        return [glb_bytes(drawing, width, title, version)]
     away, farther = (values[name] * drawing.of_scene_unit for name in POSES)
     poses = [poses_of(strand, away, farther) for strand in drawing.strands]
-    return ros.ros_text(poses, values["ros_message"], frame_id, version)
+    return [ros.ros_text(poses, values["ros_message"], frame_id, version)]

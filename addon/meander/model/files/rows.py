@@ -45,8 +45,8 @@ def rows(pattern: str, *columns: NDArray) -> Iterator[str]:
             yield ahead.popleft().result()
 
 
-def write_pieces(path: Path, pieces: Iterable[str]) -> None:
-    """Writes a text of UTF-8 that comes in pieces. Raises OSError."""
+def write_pieces(path: Path, pieces: Iterable[str | bytes]) -> None:
+    """Writes what comes in pieces, text as UTF-8. Raises OSError."""
     with path.open("wb") as file:
         for piece in pieces:
-            file.write(piece.encode("utf-8"))
+            file.write(piece if isinstance(piece, bytes) else piece.encode("utf-8"))

@@ -57,10 +57,11 @@ def _path(
     yield f'{"Z" if strand.closed else ""}"/>\n'
 
 
-def _layer(name: str) -> str:
+def _layer(name: str, colour: str = "") -> str:
     """The beginning of a layer, as Inkscape and what reads its files have them."""
     label = quoteattr(xml_text(name))
-    return f'<g inkscape:groupmode="layer" inkscape:label={label}>\n'
+    stroke = f' stroke="{colour}"' if colour else ""
+    return f'<g inkscape:groupmode="layer" inkscape:label={label}{stroke}>\n'
 
 
 def _head(
@@ -87,23 +88,28 @@ def page_pieces(
     line_width: float,
     title: str,
     version: str,
+    colours: Sequence[str] = (),
+    moves: Sequence[Moves] | None = None,
 ) -> Iterator[str]:
     """The text of a file that is a whole page, with a layer for each name, in pieces.
 
     layers       names, and strands in millimetres from the lower left corner, y upwards
     sides        width and height of the page, in millimetres
     line_width   in millimetres
+    colours      of the layers, #rrggbb; none: black
+    moves        lines and arcs in place of the points of each strand of all layers; None: none
 
     Numbers of paths go on from layer to layer.
     """
     decimals, shift, place = _DECIMALS["mm"], np.array([0.0, sides[1]]), 0
     written = [number(side, decimals) for side in sides]
     yield _head(written, "mm", _INKSCAPE, line_width, title, version)
-    for name, strands in layers:
-        yield _layer(name)
+    for (name, strands), colour in zip(layers, colours or [""] * len(layers), strict=True):
+        yield _layer(name, colour)
         for strand in strands:
+            way = None if moves is None else moves[place]
             place += 1
-            yield from _path(place, strand, None, shift, decimals)
+            yield from _path(place, strand, way, shift, decimals)
         yield "</g>\n"
     yield "</g>\n</svg>\n"
 

@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures as arrays: read by Pillow, where it is installed, averaged and blurred; no bpy."""
+
+from __future__ import annotations
+
+import importlib.util
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..files.whole import FileError
+
+PACKAGE = "Pillow"
+SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".webp", ".bmp")
+
+# A picture of more pixels is refused: it would need several gigabytes.
+_MOST_PIXELS = 200_000_000
+# How far a blur looks, in standard deviations.
+_REACH = 4.0
+
+
+@dataclass(frozen=True)
+class Image:
+    """A picture, row by row from the top.
+
+    colours   (h, w, 3) float32 from 0 to 1, as sRGB has them
+    opacity   (h, w) float32 from 0 to 1; None: everything is opaque
+    """
+
+    colours: NDArray[np.float32]
+    opacity: NDArray[np.float32] | None = None
+
+    @property
+    def sides(self) -> tuple[int, int]:
+        """Width and height, in pixels."""
+        return self.colours.shape[1], self.colours.shape[0]
+
+    def cropped(self, left: int, top: int, width: int, height: int) -> Image:
+        """A part of it, in pixels, which it has."""
+        part = (slice(top, top + height), slice(left, left + width))
+        return Image(self.colours[part], None if self.opacity is None else self.opacity[part])
+
+
+def image_of(pixels: ArrayLike) -> Image:
+    """An array as a picture.
+
+    pixels   (h, w), (h, w, 1) grey, (h, w, 2) with opacity, (h, w, 3) or (h, w, 4) of colours,
+             from the top; integers up to the greatest of their type, numbers from 0 to 1
+
+    Raises FileError for another shape, and for what is no number.
+    """
+    values = np.asarray(pixels)
+    values = values[..., None] if values.ndim == 2 else values
+    if values.ndim != 3 or values.shape[2] not in (1, 2, 3, 4) or 0 in values.shape:
+        raise FileError(
+            f"an array of shape {np.shape(pixels)} is no picture; give rows of pixels with 1 to 4 "
+            "values each"
+        )
+    if values.dtype == bool:
+        values = values.astype(np.float32)
+    elif np.issubdtype(values.dtype, np.integer):
+        values = values.astype(np.float32) / np.float32(np.iinfo(values.dtype).max)
+    elif np.issubdtype(values.dtype, np.floating):
+        values = values.astype(np.float32)
+    else:
+        raise FileError(f"an array of {values.dtype} is no picture; give numbers")
+    if not np.isfinite(values).all():
+        raise FileError("the picture has values that are not finite numbers; correct them")
+    values = values.clip(0.0, 1.0)
+    depth = values.shape[2]
+    opacity = values[..., -1] if depth in (2, 4) else None
+    if opacity is not None and (opacity == 1.0).all():
+        opacity = None
+    colours = values[..., :1] if depth < 3 else values[..., :3]
+    return Image(np.broadcast_to(colours, (*values.shape[:2], 3)), opacity)
+
+
+def is_there() -> bool:
+    """Whether Pillow can be imported."""
+    return importlib.util.find_spec("PIL") is not None
+
+
+def missing_text(what: str) -> str:
+    """What to say where it is not."""
+    return (
+        f"{what} needs the Python package {PACKAGE}; install it by pip install {PACKAGE}, or "
+        "Meander as meander[picture]"
+    )
+
+
+def read_image(path: str | Path) -> Image:
+    """The picture in a file, as it is meant to be seen: turned as its camera says, with all 16 bits
+    where it has them. A profile of colours other than sRGB is not looked at.
+
+    Raises FileError: it cannot be read, or Pillow is not installed.
+    """
+    if not is_there():
+        raise FileError(missing_text(f"{path}"))
+    from PIL import Image as pillow
+
+    pillow.MAX_IMAGE_PIXELS = None  # the limit is ours
+    try:
+        with pillow.open(path) as opened:
+            if opened.width * opened.height > _MOST_PIXELS:
+                raise FileError(
+                    f"{path} has {opened.width * opened.height / 1e6:,.0f} million pixels, and "
+                    f"{_MOST_PIXELS / 1e6:,.0f} million is the most; make it smaller"
+                )
+            return image_of(_turned(_pixels(opened, path), opened))
+    except (OSError, SyntaxError, ValueError) as problem:
+        raise FileError(
+            f"{path} cannot be read as a picture ({problem}); save it as PNG, JPEG or TIFF"
+        ) from problem
+
+
+def _pixels(opened: Any, path: str | Path) -> NDArray[Any]:
+    """The pixels of a picture that Pillow has opened, as image_of() takes them."""
+    from PIL import Image as pillow
+
+    deep = opened.mode in ("RGB", "RGBA") and _raw_mode(opened).endswith(";16B")
+    if deep:
+        with pillow.open(path) as again:
+            return _deep(opened, again)
+    if opened.mode in ("I;16", "I;16B", "I;16L", "I;16N"):
+        return np.asarray(opened).astype(np.uint16)
+    if opened.mode == "I":
+        return np.asarray(opened).clip(0, 65535).astype(np.uint16)
+    if opened.mode == "F":
+        return np.asarray(opened)
+    transparent = opened.mode in ("RGBA", "LA", "PA") or "transparency" in opened.info
+    grey = opened.mode in ("1", "L", "LA")
+    mode = ("LA" if grey else "RGBA") if transparent else ("L" if grey else "RGB")
+    return np.asarray(opened.convert(mode))
+
+
+def _raw_mode(opened: Any) -> str:
+    """How the file has its pixels; "" where nobody can say."""
+    arguments = opened.tile[0][3] if opened.tile else ""
+    raw = arguments[0] if isinstance(arguments, tuple) and arguments else arguments
+    return raw if isinstance(raw, str) else ""
+
+
+def _deep(opened: Any, again: Any) -> NDArray[np.uint16]:
+    """Colours of 16 bits, of which Pillow keeps the high byte: read as if the bytes stood the other
+    way round, the high byte is the low one."""
+    again.tile = [_with_bytes_turned(tile) for tile in again.tile]
+    high, low = np.asarray(opened), np.asarray(again)
+    return (high.astype(np.uint16) << 8) | low
+
+
+def _with_bytes_turned(tile: Any) -> Any:
+    *where, arguments = tile
+    if isinstance(arguments, tuple):
+        turned: Any = (arguments[0][:-1] + "L", *arguments[1:])
+    else:
+        turned = arguments[:-1] + "L"
+    return type(tile)(*where, turned) if hasattr(tile, "_fields") else (*where, turned)
+
+
+def _turned(pixels: NDArray[Any], opened: Any) -> NDArray[Any]:
+    """Pixels as the camera was held, which a photograph says (Exif, 0x0112)."""
+    turn = opened.getexif().get(0x0112, 1)
+    if turn in (5, 6, 7, 8):
+        pixels = np.swapaxes(pixels, 0, 1)
+    if turn in (2, 3, 6, 7):
+        pixels = pixels[:, ::-1]
+    if turn in (3, 4, 7, 8):
+        pixels = pixels[::-1]
+    return pixels
+
+
+def averaged(
+    values: NDArray[np.floating], places_y: NDArray[np.float64], places_x: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """The mean of an array (h, w) around places, (len(places_y), len(places_x)).
+
+    places   equal steps from 0 to 1 of the height and of the width, ends among them; each stands
+             for half a step on both sides, and for half a pixel at least
+    """
+    return _averaged(_averaged(values, places_y).T, places_x).T
+
+
+def _averaged(values: NDArray[np.floating], places: NDArray[np.float64]) -> NDArray[np.float64]:
+    count = len(values)
+    half = max(0.5 / count, 0.5 / (len(places) - 1))
+    low, high = (places - half).clip(0.0, 1.0) * count, (places + half).clip(0.0, 1.0) * count
+    sums = np.zeros((count + 1, values.shape[1]))
+    np.cumsum(values, axis=0, out=sums[1:])
+
+    def up_to(place: NDArray[np.float64]) -> NDArray[np.float64]:
+        whole = np.minimum(place.astype(np.int64), count - 1)
+        share = (place - whole)[:, None]
+        return sums[whole] * (1.0 - share) + sums[whole + 1] * share
+
+    return (up_to(high) - up_to(low)) / (high - low)[:, None]
+
+
+def blurred(values: NDArray[np.float64], sigma: float) -> NDArray[np.float64]:
+    """An array (h, w) under a Gaussian of a standard deviation in cells, mirrored at its edges."""
+    for axis in (0, 1):
+        values = _blurred(values, sigma, axis)
+    return values
+
+
+def _blurred(values: NDArray[np.float64], sigma: float, axis: int) -> NDArray[np.float64]:
+    count = values.shape[axis]
+    pad = int(np.ceil(_REACH * sigma))
+    if pad == 0:
+        return values
+    widths = [(0, 0), (0, 0)]
+    widths[axis] = (pad, pad)
+    padded = np.pad(values, widths, mode="symmetric")
+    size = padded.shape[axis]
+    frequency = np.fft.rfftfreq(size)
+    transfer = np.exp(-2.0 * (np.pi * sigma * frequency) ** 2)
+    shape = (-1, 1) if axis == 0 else (1, -1)
+    spectrum = np.fft.rfft(padded, axis=axis) * transfer.reshape(shape)
+    found = np.fft.irfft(spectrum, size, axis=axis)
+    return found[pad : pad + count] if axis == 0 else found[:, pad : pad + count]

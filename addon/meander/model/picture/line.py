@@ -1,0 +1,361 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A picture as a drawing in one line, ink by ink: what is to be drawn, its run, what it became.
+
+The tone of a place is the share of ink there, which is the width of the pen over the spacing: so
+the wanted spacing is the width over the share. The sheet is a grid fine enough for what the pen can
+show, with a density at each of its places. No bpy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ... import core
+from ..empty import Empty, empty_of
+from ..files.whole import FileError
+from ..geometry.simplification import Light, light_points
+from ..geometry.thinning import with_points
+from ..problem import Problem, open_flow
+from ..toolpaths import bridges
+from ..toolpaths.drawing import Drawing
+from ..toolpaths.toolpath import Strand, strands_of
+from .drawn import ToneError, ink_of, tone_error
+from .image import Image, averaged, blurred
+from .inks import INKS, separated
+from .sheet import Grid, cells_kept, grid_of, triangles
+from .tone import Tone, Wanted, grey_light, lightness, wanted
+
+# How a line may lie, and what it begins as.
+STYLES = ("portrait", "engraving", "scribble")
+
+# More places of a grid would need gigabytes, and no pen shows them.
+_MOST_PLACES = 30_000_000
+# Of the length of a segment, in half spacings: a fifth more than the library's own is a quarter
+# less work, for a thousandth of the range in tone.
+_SEGMENT = 0.25
+# How much directions count, where there are any: with 2 the tone suffers.
+_ALIGNMENT = 1.0
+# The mean spacings over which the direction of an engraving is found: of the edges, and of what
+# they lie in.
+_EDGES, _FORM = 0.7, 2.5
+# The direction where there are no edges is across the page, and so strong, in mean edges.
+_CALM = 0.02
+# Parts that are cut out are left out where they are smaller, in squares of mean spacings, and
+# corridors between parts are so wide, in mean spacings.
+_LEAST_PART, _CORRIDOR = 4.0, 2.2
+# Points are left out that move the line by less, in least spacings.
+_LIGHT = 0.02
+_OPAQUE = 0.5
+# An ink is left out where it is less dark, in times of the lightest that the pen can be.
+_WHITE = 1.25
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """How a picture is drawn; lengths in millimetres.
+
+    width        of the drawing; its height follows from the picture
+    pen          width of its line
+    spread       by which ink makes the line wider on paper than the pen
+    style        of STYLES: "portrait" begins with long rows, "engraving" has rows along the edges
+                 and forms of the picture, "scribble" grows
+    tone         how dark it is where
+    inks         of inks.INKS; none: one line, black
+    leave_white  places that are less dark are left out; None: none of one line, and of several
+                 inks those that hardly need it
+    bridges      parts that are left apart are joined by corridors, else each has a line
+    variation    of core.FlowOptions
+    threads      0: one for each processor
+    """
+
+    width: float = 200.0
+    pen: float = 0.4
+    spread: float = 0.0
+    style: str = "portrait"
+    tone: Tone = field(default_factory=Tone)
+    inks: Sequence[str] = ()
+    leave_white: float | None = None
+    bridges: bool = True
+    variation: int = 0
+    threads: int = 0
+
+    @property
+    def line_width(self) -> float:
+        """On paper."""
+        return self.pen + self.spread
+
+    @property
+    def least_darkness(self) -> float:
+        """Of places where there is to be a line."""
+        if self.leave_white is not None:
+            return self.leave_white
+        return _WHITE * self.tone.lightest if self.inks else 0.0
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is to be drawn in one ink.
+
+    name      of the ink
+    share     of ink at the places of the grid, 0 where there is no line
+    kept      of the places, where there is a line
+    spacing   the mean one, in millimetres
+    dark, light   how much of the sheet is darker and lighter than the pen can be
+    """
+
+    name: str
+    colour: str
+    grid: Grid
+    share: NDArray[np.float64]
+    kept: NDArray[np.bool_]
+    problem: Problem
+    spacing: float
+    dark: float
+    light: float
+
+    @property
+    def least_spacing(self) -> float:
+        """In millimetres."""
+        return self.spacing * float(self.share[self.kept].mean() / self.share.max())
+
+
+@dataclass(frozen=True)
+class Layer:
+    """What has been drawn in one ink.
+
+    strands   in millimetres, from the lower left corner of the sheet
+    error     None: the sheet is too small to tell
+    """
+
+    plan: Plan
+    strands: list[Strand]
+    reason: str
+    figures: dict[str, Any]
+    error: ToneError | None
+    empty: Empty
+
+    @property
+    def length(self) -> float:
+        return Drawing(self.strands, "mm", True).length
+
+    def entry(self) -> dict[str, Any]:
+        """Of a report; lengths in millimetres."""
+        plan = self.plan
+        return {
+            "ink": plan.name,
+            "lines": len(self.strands),
+            "length": self.length,
+            "spacing": plan.spacing,
+            "tone": {} if self.error is None else self.error.entry(),
+            "out_of_reach": {"too_dark": plan.dark, "too_light": plan.light},
+            "nodes": int(self.figures["nodes"]),
+            "iterations": int(self.figures["iterations"]),
+            "stop_reason": self.reason,
+            "crossings": int(self.figures["crossings"]),
+            "empty": self.empty.entry(),
+            "seconds": float(self.figures["seconds_total"]),
+        }
+
+
+def plans_of(image: Image, wishes: Wishes, mask: Image | None = None) -> list[Plan]:
+    """What is to be drawn of a picture, ink by ink.
+
+    mask   of any size, laid over the picture: no line where it is dark or transparent
+
+    Raises FileError where nothing is left to draw, and for a sheet of too many places.
+    """
+    columns, rows = image.sides
+    sides = (wishes.width, wishes.width * rows / columns)
+    pen = wishes.line_width
+    # A pen shows nothing finer than its line, and a picture has nothing finer than half a pixel.
+    cell = max(pen, 0.5 * sides[0] / columns)
+    if sides[0] * sides[1] / cell**2 > _MOST_PLACES:
+        raise FileError(
+            f"a pen of {pen:g} mm has too many lines on {sides[0]:g} x {sides[1]:.4g} mm; choose "
+            "a wider pen or a smaller width"
+        )
+    grid = grid_of(sides, min(cell, min(sides) / 2.0))
+    down, across = grid.shares
+    opaque = _opaque(image, mask, down, across)
+    if not opaque.any():
+        raise FileError("the mask leaves nothing of the picture; choose another one")
+    if wishes.inks:
+        lights = separated(image, wishes.inks, down, across)
+    else:
+        lights = {"black": grey_light(image, wishes.tone.kind, down, across)}
+    found = [_plan(name, lights[name], opaque, grid, wishes) for name in lights]
+    drawn = [plan for plan in found if plan is not None]
+    if not drawn:
+        raise FileError("nothing of the picture is dark enough to draw; leave less of it white")
+    return drawn
+
+
+def _opaque(
+    image: Image,
+    mask: Image | None,
+    down: NDArray[np.float64],
+    across: NDArray[np.float64],
+) -> NDArray[np.bool_]:
+    """Where a line may be, of the places of a grid."""
+    opaque = np.ones((len(down), len(across)), dtype=bool)
+    if image.opacity is not None:
+        opaque &= averaged(image.opacity, down, across) > _OPAQUE
+    if mask is not None:
+        opaque &= lightness(grey_light(mask, "light", down, across)) > 100.0 * _OPAQUE
+        if mask.opacity is not None:
+            opaque &= averaged(mask.opacity, down, across) > _OPAQUE
+    return opaque
+
+
+def _plan(
+    name: str,
+    light: NDArray[np.float64],
+    opaque: NDArray[np.bool_],
+    grid: Grid,
+    wishes: Wishes,
+) -> Plan | None:
+    """None: nothing of it is drawn."""
+    tone, pen = wishes.tone, wishes.line_width
+    if wishes.inks and tone.levels is None:
+        tone = replace(tone, levels=(0.0, 100.0))  # the same for all inks, or colours would turn
+    rough = wanted(light, replace(tone, sharpen=0.0), opaque, 1.0)
+    spacing = pen / float(rough.share[opaque].mean())
+    made = wanted(light, tone, opaque, grid.cell / spacing) if tone.sharpen else rough
+    left = opaque & (made.darkness >= wishes.least_darkness)
+    whole = bool(left.all())
+    cells = np.ones((grid.cells[1], grid.cells[0]), dtype=bool)
+    if not whole:
+        square = (spacing / grid.cell) ** 2
+        wide = _CORRIDOR * spacing / grid.cell
+        cells = cells_kept(left, _LEAST_PART * square, wide, wishes.bridges)
+    if not cells.any():
+        return None
+    used, faces = triangles(cells)
+    kept = np.zeros(left.size, dtype=bool)
+    kept[used] = True
+    # A corridor has room for a line there and back.
+    ink = np.where(left, made.share, pen / spacing)
+    share = ink.ravel()[used]
+    mean = float(share.mean())
+    problem = Problem(
+        grid.points()[used],
+        faces,
+        _options(wishes, pen / mean),
+        density=(share / mean) ** 2,
+        directions=_directions(made, grid, wishes, name, pen / mean, used),
+    )
+    if problem.directions is not None:
+        problem.options.alignment_weight = _ALIGNMENT
+    dark = float((made.darkness.ravel()[used] > tone.darkest).mean())
+    light_share = float((made.darkness.ravel()[used] < tone.lightest).mean())
+    kept = kept.reshape(left.shape)
+    colour = INKS[name].colour
+    return Plan(
+        name,
+        colour,
+        grid,
+        np.where(kept, ink, 0.0),
+        kept,
+        problem,
+        pen / mean,
+        dark,
+        light_share,
+    )
+
+
+def _options(wishes: Wishes, spacing: float) -> core.FlowOptions:
+    options = core.default_options("even")
+    options.radius = spacing / 2.0
+    options.segment_length = _SEGMENT * options.radius
+    options.threads = wishes.threads
+    options.variation = wishes.variation
+    if wishes.style != "scribble":
+        options.start = core.Start.FULL
+    return options
+
+
+def _directions(
+    made: Wanted,
+    grid: Grid,
+    wishes: Wishes,
+    name: str,
+    spacing: float,
+    used: NDArray[np.int64],
+) -> NDArray[np.float64] | None:
+    """A vector for each place that is used; None: the line has no direction."""
+    if wishes.style == "engraving":
+        angle = form_angles(made.share, spacing / grid.cell).ravel()[used]
+    elif wishes.style == "portrait" and len(wishes.inks) > 1:
+        angle = np.full(len(used), np.radians(INKS[name].angle))
+    else:
+        return None
+    return np.column_stack([np.cos(angle), np.sin(angle), np.zeros(len(angle))])
+
+
+def form_angles(share: NDArray[np.float64], spacing: float) -> NDArray[np.float64]:
+    """The direction along the edges and forms of a picture at each place, in radians from the right
+    counterclockwise: the structure tensor's lesser one (Foerstner and Guelch 1987).
+
+    spacing   in cells
+    """
+    down, right = np.gradient(blurred(share, _EDGES * spacing))
+    up = -down
+    xx, xy, yy = (
+        blurred(product, _FORM * spacing) for product in (right * right, right * up, up * up)
+    )
+    yy = yy + _CALM * float((xx + yy).mean())
+    return 0.5 * np.arctan2(2.0 * xy, xx - yy) + np.pi / 2.0
+
+
+def layer_of(plan: Plan, flow: core.Flow, reason: str, wishes: Wishes) -> Layer:
+    """What a run that has ended has drawn. Raises core.MeanderError."""
+    curve = flow.polylines()
+    least = wishes.line_width / wishes.tone.darkest
+    if wishes.bridges:
+        line = bridges.joined(curve, least)
+        curve = curve if line is None else line.polylines
+    curve = with_points(curve, light_points(curve, Light(_LIGHT), least))
+    strands = strands_of(curve)
+    error = tone_error(
+        ink_of(strands, wishes.line_width, plan.grid), plan.share, plan.spacing, plan.grid
+    )
+    return Layer(plan, strands, reason, flow.statistics(), error, empty_of(flow.gaps()))
+
+
+def drawing_of(layers: Sequence[Layer], margin: float) -> Drawing:
+    """The strands of all layers on a page, in millimetres from its lower left corner."""
+    spacing = min(layer.plan.least_spacing for layer in layers)
+    strands = [moved(strand, margin) for layer in layers for strand in layer.strands]
+    return Drawing(strands, "mm", True, spacing)
+
+
+def moved(strand: Strand, margin: float) -> Strand:
+    """A strand of the sheet on a page with a margin."""
+    return replace(strand, points=strand.points + [margin, margin, 0.0])
+
+
+def draw(
+    image: Image,
+    wishes: Wishes,
+    mask: Image | None = None,
+    run: Callable[[core.Flow], str] = core.Flow.run,
+    accept: Callable[[core.Cost], None] | None = None,
+) -> list[Layer]:
+    """Draws a picture.
+
+    mask     of any size, laid over the picture: no line where it is dark or transparent
+    run      runs a flow to its end and returns why it ended
+    accept   is told what a run is expected to cost, and raises what it likes
+
+    Raises FileError as plans_of() does, and core.MeanderError.
+    """
+    layers = []
+    for plan in plans_of(image, wishes, mask):
+        with open_flow(plan.problem, accept=accept).flow as flow:
+            layers.append(layer_of(plan, flow, run(flow), wishes))
+    return layers

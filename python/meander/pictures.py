@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures in one line, from files or arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .core import Flow, MeanderError, unknown_name
+from .files import drawing_values
+from .model import export
+from .model.files.rows import write_pieces
+from .model.files.whole import FileError, whole_file
+from .model.picture import line
+from .model.picture.drawn import preview
+from .model.picture.image import Image, image_of, read_image
+from .model.picture.inks import INKS
+from .model.picture.page import pieces_of_page
+from .model.picture.tone import TONES, Tone
+
+_TONE = {field.name for field in fields(Tone)} - {"kind"}
+_LINE = {field.name for field in fields(line.Wishes)} - {"tone"}
+
+
+class Drawing:
+    """A picture in one line, or in one for each ink; made by `draw_picture`. In millimetres, from
+    the lower left corner of the sheet.
+
+    sides    width and height of the sheet
+    pen      width of the line
+    inks     the names of what is drawn
+    figures  of each ink, a dictionary: length, tone (error_1, error_2, bias), out_of_reach and so
+             on, as in the command's report
+    """
+
+    def __init__(self, layers: list[line.Layer], wishes: line.Wishes) -> None:
+        self._layers, self._wishes = layers, wishes
+        self.sides: tuple[float, float] = layers[0].plan.grid.sides
+        self.pen: float = wishes.pen
+        self.inks: list[str] = [layer.plan.name for layer in layers]
+        self.figures: list[dict[str, Any]] = [layer.entry() for layer in layers]
+
+    @property
+    def length(self) -> float:
+        """Of all lines."""
+        return sum(layer.length for layer in self._layers)
+
+    def lines(self, ink: str | None = None) -> list[NDArray[np.float64]]:
+        """The points of each line, (n, 2); a closed one has its first point again at the end.
+
+        ink   of `inks`; None: of all
+        """
+        if ink is not None and ink not in self.inks:
+            raise MeanderError(unknown_name("ink", ink, self.inks))
+        return [
+            np.vstack([strand.points, strand.points[:1]])[:, :2]
+            if strand.closed
+            else strand.points[:, :2]
+            for layer in self._layers
+            if ink in (None, layer.plan.name)
+            for strand in layer.strands
+        ]
+
+    def preview(self, size: int = 2000) -> Any:
+        """The drawing as an image of Pillow's.
+
+        size   of its longer side, in pixels
+
+        Raises FileError where Pillow is not installed.
+        """
+        shown = [(layer.plan.colour, layer.strands) for layer in self._layers]
+        return preview(shown, self.sides, self._wishes.line_width, size)
+
+    def write(self, path: str | Path, *, margin: float = 0.0, **drawing: Any) -> None:
+        """Writes the drawing in the format of the file's suffix.
+
+        path      .svg, .dxf, .gcode, .nc, .ngc, .dst or .pes. An .svg has a layer for each ink;
+                  of the others each is a file of its own, NAME_INK
+        margin    of white on all sides, in millimetres
+        drawing   as in `write_curve`, but for what a picture decides: layout, unit, scale, size,
+                  line_width, force
+
+        Raises FileError: the file cannot be written, or an option means nothing for its format.
+        """
+        path = Path(path)
+        kind = export.format_of(path)
+        if kind is None:
+            raise FileError(
+                f"{path} is no {', '.join(export.SUFFIXES)} file; choose another suffix"
+            )
+        for name in ("layout", "unit", "scale", "size", "line_width", "force"):
+            if name in drawing:
+                raise FileError(f"{name} does nothing for a picture; leave it out")
+        values = drawing_values(path.suffix.lower(), kind, drawing)
+        values |= {"layout_as": "top", "line_width": self.pen}
+        sides = [side + 2.0 * margin for side in self.sides]
+        files = {path: self._layers}
+        if kind.name != "SVG" and len(self._layers) > 1:
+            files = {
+                path.with_stem(f"{path.stem}_{layer.plan.name}"): [layer] for layer in self._layers
+            }
+        for each, layers in files.items():
+            with whole_file(each) as temporary:
+                write_pieces(temporary, pieces_of_page(each, layers, sides, margin, values))
+
+
+def draw_picture(
+    picture: str | Path | ArrayLike,
+    width: float = 200.0,
+    pen: float = 0.4,
+    *,
+    mask: str | Path | ArrayLike | None = None,
+    run: Callable[[Flow], str] = Flow.run,
+    **wishes: Any,
+) -> Drawing:
+    """Draws a picture in one line that never crosses itself and has its tones.
+
+    picture   a file, which needs Pillow, or an array: (h, w), (h, w, 2), (h, w, 3) or (h, w, 4)
+              from the top, sRGB, integers up to the greatest of their type or numbers from 0 to 1.
+              Where it is transparent there is no line
+    width     of the drawing, in millimetres
+    pen       width of its line, in millimetres
+    mask      likewise, of any size: no line where it is dark or transparent
+    run       called with each flow, runs it to its end and returns why that came
+    wishes    as the flags of the command: style ("portrait", "engraving", "scribble"), tone ("eye",
+              "light", "value"), darkest, lightest, levels, local_contrast, sharpen, spread, paper,
+              leave_white, bridges, inks, variation, threads
+
+    Raises FileError for what is no picture, and MeanderError for wishes that cannot be.
+    """
+    kind = wishes.pop("tone", Tone.kind)
+    known = [*_LINE - {"width", "pen"}, *_TONE, "tone"]
+    for name in wishes:
+        if name not in known:
+            raise MeanderError(unknown_name("wish", name, sorted(known)))
+    for name, value, choices in (
+        ("tone", kind, TONES),
+        ("style", wishes.get("style", line.Wishes.style), line.STYLES),
+        *(("ink", ink, tuple(INKS)) for ink in wishes.get("inks", ())),
+    ):
+        if value not in choices:
+            raise MeanderError(unknown_name(name, value, choices))
+    for name, value in (("width", width), ("pen", pen)):
+        if not (np.isfinite(value) and value > 0.0):
+            raise MeanderError(f"{name} {value!r} is not greater than 0; choose a length")
+    tone = Tone(kind, **{name: value for name, value in wishes.items() if name in _TONE})
+    if not 0.0 < tone.lightest < tone.darkest <= 1.0:
+        raise MeanderError("lightest and darkest are not in order; choose 0 < lightest < darkest")
+    of_line = {name: value for name, value in wishes.items() if name in _LINE}
+    asked = line.Wishes(float(width), float(pen), tone=tone, **of_line)
+    layers = line.draw(_image(picture), asked, None if mask is None else _image(mask), run)
+    return Drawing(layers, asked)
+
+
+def _image(picture: str | Path | ArrayLike) -> Image:
+    return read_image(picture) if isinstance(picture, str | Path) else image_of(picture)
