@@ -79,7 +79,7 @@ HELPERS = """
             return System.Text.Encoding.UTF8.GetString(text, 0, end < 0 ? text.Length : end);
         }
 
-        /// <summary>An array of a result, of which the struct has the pointer and the count.</summary>
+        /// <summary>An array of a result, whose pointer and count the struct has.</summary>
         public static double[] Doubles(IntPtr array, int count)
         {
             var copy = new double[count];

@@ -71,6 +71,9 @@ namespace Meander
         public static extern Status meander_text_read_numbers([In, Out] byte[] text, UIntPtr size, [In, Out] double[] numbers, UIntPtr capacity, [In, Out] UIntPtr[] count, [In, Out] UIntPtr[] end, [In, Out] Error error);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status meander_text_write_rows(string pattern, [In, Out] double[] values, UIntPtr row_count, UIntPtr column_count, string text, UIntPtr capacity, [In, Out] UIntPtr[] size, [In, Out] UIntPtr[] rows, [In, Out] Error error);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status meander_triangles_init([In, Out] Triangles triangles, UIntPtr struct_size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -271,7 +274,7 @@ namespace Meander
             return System.Text.Encoding.UTF8.GetString(text, 0, end < 0 ? text.Length : end);
         }
 
-        /// <summary>An array of a result, of which the struct has the pointer and the count.</summary>
+        /// <summary>An array of a result, whose pointer and count the struct has.</summary>
         public static double[] Doubles(IntPtr array, int count)
         {
             var copy = new double[count];

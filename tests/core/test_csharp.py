@@ -28,8 +28,9 @@ static class Layouts
         foreach (Type type in typeof(Meander.Api).Assembly.GetTypes().Where(
             t => t.Namespace == "Meander" && t.IsClass && t.IsLayoutSequential))
         {
-            var offsets = type.GetFields().Select(field => Marshal.OffsetOf(type, field.Name).ToString());
-            Console.WriteLine(type.Name + " " + Marshal.SizeOf(type) + " " + string.Join(" ", offsets));
+            var names = type.GetFields().Select(field => field.Name);
+            var offsets = string.Join(" ", names.Select(name => Marshal.OffsetOf(type, name)));
+            Console.WriteLine(type.Name + " " + Marshal.SizeOf(type) + " " + offsets);
         }
     }
 }
