@@ -20,7 +20,8 @@ from ..empty import Empty, empty_of
 from ..files.whole import FileError
 from ..geometry.simplification import Light, light_points
 from ..geometry.thinning import with_points
-from ..problem import Problem, open_flow
+from ..opening import open_flow
+from ..problem import Problem
 from ..toolpaths import bridges
 from ..toolpaths.drawing import Drawing
 from ..toolpaths.toolpath import Strand, strands_of
