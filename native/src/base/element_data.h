@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/close_growth.h"
+
 namespace meander {
 
 /// A list with one `Value` for every `Element`, by its index. A std::vector with a name: it costs nothing, and a
@@ -32,8 +34,11 @@ class ElementData {
   /// The list itself, for what takes lists of anything.
   const std::vector<Value>& values() const { return values_; }
 
-  void resize(size_t count) { values_.resize(count); }
-  void resize(size_t count, const Value& value) { values_.resize(count, value); }
+  void resize(size_t count) { resize_closely(values_, count); }
+  void resize(size_t count, const Value& value) {
+    if (count > values_.capacity()) values_.reserve(count + count / 8);
+    values_.resize(count, value);
+  }
   void assign(size_t count, const Value& value) { values_.assign(count, value); }
   void clear() { values_.clear(); }
   void swap(ElementData& other) noexcept { values_.swap(other.values_); }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/close_growth.h"
+
 namespace meander {
 
 void Curve::link() {
@@ -26,14 +28,14 @@ void Curve::link() {
 }
 
 void Curve::lay_out_as(const Curve& other) {
-  nodes.resize(other.size());
+  resize_closely(nodes, other.size());
   fixed = other.fixed;
   strands = other.strands;
   next_ = other.next_;
   previous_ = other.previous_;
   on_guide_ = other.on_guide_;
-  paths.resize(nodes.size());
-  shapes.resize(nodes.size());
+  resize_closely(paths, nodes.size());
+  resize_closely(shapes, nodes.size());
 }
 
 void Curve::pieces(std::vector<Piece>& out) const {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/close_growth.h"
+
 namespace meander {
 
 /// By counting, in those faces only that hold pieces.
@@ -14,7 +16,7 @@ void FacePieces::sort(const std::vector<std::vector<Piece>>& blocks, size_t face
   // All memory first: counts must be 0 again in the end, whatever happens.
   const size_t most_places = std::min(total, faces);
   count_.resize(faces, 0);
-  sorted_.resize(total);
+  resize_closely(sorted_, total);
   faces_.clear();
   faces_.reserve(most_places);
   end_.clear();

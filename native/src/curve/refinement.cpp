@@ -7,6 +7,7 @@
 #include <new>
 #include <numbers>
 
+#include "base/close_growth.h"
 #include "base/elementary.h"
 
 namespace meander {
@@ -49,7 +50,7 @@ bool Refinement::refine(const Surface& surface, Curve& curve, const NodeData<dou
   may_split_.assign(curve.size(), 1);
   may_remove_.assign(curve.size(), 1);
   while (propose(surface, curve, target, pool)) {
-    const auto pairs = test_.find_changed(surface, next_, pool, changed_, [&](uint32_t i) -> const Path& {
+    const auto pairs = test_->find_changed(surface, next_, pool, changed_, [&](uint32_t i) -> const Path& {
       return changed_[i] ? new_paths_[source_[i]] : curve.paths[origin_[i]];
     });
     if (pairs.empty()) {
@@ -210,13 +211,13 @@ void Refinement::put_block(const Curve& curve, uint32_t begin, uint32_t end) {
 /// Fills next_ with what stays and what is changed, but for the paths, which stay where they are.
 void Refinement::lay_out(const Curve& curve, ThreadPool& pool) {
   const uint32_t count = find_places(curve);
-  next_.nodes.resize(count);
-  next_.fixed.resize(count);
-  next_.paths.resize(count);
-  next_.shapes.resize(count);
+  resize_closely(next_.nodes, count);
+  resize_closely(next_.fixed, count);
+  resize_closely(next_.paths, count);
+  resize_closely(next_.shapes, count);
   origin_.resize(count);
-  source_.resize(count);
-  changed_.resize(count);
+  resize_closely(source_, count);
+  resize_closely(changed_, count);
   pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     put_block(curve, static_cast<uint32_t>(begin), static_cast<uint32_t>(end));
   });

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "curve/crossings.h"
@@ -15,6 +17,9 @@ namespace meander {
 /// Keeps its memory from call to call. One call at a time.
 class Refinement {
  public:
+  /// `test`  whose memory is used; nobody else uses it during a call
+  explicit Refinement(std::shared_ptr<CrossingTest> test = std::make_shared<CrossingTest>()) : test_(std::move(test)) {}
+
   /// A strand may turn as sharply as it likes.
   static constexpr double kAnyTurn = std::numeric_limits<double>::infinity();
 
@@ -58,7 +63,7 @@ class Refinement {
   void accept(Curve& curve, const ThreadPool& pool);
 
   double least_cosine_ = -2;  // of the turn at a node that stays
-  CrossingTest test_;
+  std::shared_ptr<CrossingTest> test_;
   Curve next_;
   std::vector<Change> changes_;            // along the curve
   std::vector<uint32_t> places_;           // per change: of the node `from` in the new curve

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/close_growth.h"
 #include "base/stopwatch.h"
 #include "geodesic/geodesic_trace.h"
 
@@ -73,28 +74,28 @@ void Retraction::resolve(const Surface& surface, const Curve& curve, const NodeD
   Stopwatch watch;
   const uint32_t n = curve.size();
   next.lay_out_as(curve);
-  traces_.resize(n);
+  resize_closely(traces_, n);
   moved_.resize(n);
   trace(surface, curve, displacement, All{n}, kBlock, next, pool);
   seconds.retract += watch.lap();
-  test_.begin(next);
-  const auto collect = [&](size_t block, size_t, size_t) { test_.collect(next, block); };
+  test_->begin(next);
+  const auto collect = [&](size_t block, size_t, size_t) { test_->collect(next, block); };
   reconnect(surface, curve, displacement, All{n}, kBlock, collect, next, pool);
   seconds.reconnect += watch.lap();
-  auto pairs = test_.find_collected(surface, next, pool);
+  auto pairs = test_->find_collected(surface, next, pool);
   seconds.crossings += watch.lap();
   for (int attempt = 1; !pairs.empty(); ++attempt) {
     back_off(curve, pairs, attempt);
     list_changed(curve);
     trace(surface, curve, displacement, changed_nodes_, kFewBlock, next, pool);
     seconds.retract += watch.lap();
-    test_.begin_some(ThreadPool::block_count(changed_segments_.size(), kFewBlock));
+    test_->begin_some(ThreadPool::block_count(changed_segments_.size(), kFewBlock));
     const auto collect_some = [&](size_t block, size_t begin, size_t end) {
-      test_.collect_some(next, block, std::span(changed_segments_).subspan(begin, end - begin));
+      test_->collect_some(next, block, std::span(changed_segments_).subspan(begin, end - begin));
     };
     reconnect(surface, curve, displacement, changed_segments_, kFewBlock, collect_some, next, pool);
     seconds.reconnect += watch.lap();
-    pairs = test_.find_again(surface, next, pool);
+    pairs = test_->find_again(surface, next, pool);
     seconds.crossings += watch.lap();
   }
 }

@@ -4,6 +4,7 @@
 // (sections 3.3 and 3.3.1).
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -31,6 +32,9 @@ struct MoveSeconds {
 /// Keeps its memory from call to call. One call at a time.
 class Retraction {
  public:
+  /// `test`  whose memory is used; nobody else uses it during a call
+  explicit Retraction(std::shared_ptr<CrossingTest> test = std::make_shared<CrossingTest>()) : test_(std::move(test)) {}
+
   /// Makes of `curve`, which has no crossings, another one, `next`, whose nodes have moved along `displacement`
   /// (per node, in the plane of its face; fixed nodes stay), and which has none either. What `next` was does not
   /// matter; it keeps its memory. Where this throws it is anything.
@@ -69,7 +73,7 @@ class Retraction {
   void spread(const Strand& strand, uint32_t reach);
   void back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs, int attempt);
 
-  CrossingTest test_;
+  std::shared_ptr<CrossingTest> test_;
   std::vector<Path> traces_;
   std::vector<double> share_;           // of the displacement that a node takes
   NodeData<double> moved_;              // how far it has gone

@@ -88,6 +88,7 @@ class Flow {
     IterationPlan plan;         ///< of the next iteration
     double spacing_factor;      ///< what r is multiplied by while the curve approaches its spacing
     ThreadPool& pool;
+    CrossingTest& crossings;    ///< for its memory
   };
   /// Returns question(Present). Brings radii() up to date and changes nothing else. Throws
   /// Failure(FailureKind::kCancelled) where `cancel` stops it; whatever is thrown, also by the question, all is then as
@@ -96,7 +97,7 @@ class Flow {
   auto ask(const Question& question, const CancelToken& cancel = {}) {
     ThreadPool pool = pool_.with(cancel);
     measure_again(pool);
-    auto answer = question(Present{state_, work_.medial, plan(), approach_.factor(), pool});
+    auto answer = question(Present{state_, work_.medial, plan(), approach_.factor(), pool, *work_.crossings});
     keep_radii();
     return answer;
   }

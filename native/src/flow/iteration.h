@@ -3,6 +3,7 @@
 // One iteration as a transaction (section 3): what it reads, what it writes, and the moment at which it counts.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "curve/retraction.h"
@@ -23,8 +24,9 @@ struct Workspace {
   Weights weights;
   StrandSolver strands;
   Step step;
-  Retraction retraction;
-  SegmentRefiner refiner;
+  std::shared_ptr<CrossingTest> crossings = std::make_shared<CrossingTest>();  ///< for one at a time
+  Retraction retraction{crossings};
+  SegmentRefiner refiner{crossings};
   CurveState spare;  ///< a curve that nobody needs
 };
 

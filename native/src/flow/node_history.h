@@ -20,9 +20,7 @@ struct NodeHistory {
 
   /// Gives the nodes after a refinement what those had that they come from; `origin` as Refinement::refine says.
   /// Where this throws, it is that of neither.
-  ///
-  /// `spare`  any other history, for its memory; what it says is lost
-  void follow(const NodeData<uint32_t>& origin, ThreadPool& pool, NodeHistory& spare);
+  void follow(const NodeData<uint32_t>& origin, ThreadPool& pool);
 };
 
 }  // namespace meander

@@ -39,7 +39,7 @@ void SegmentRefiner::apply(const FlowSettings& settings, const Domain& domain, C
     }
   });
   if (refinement_.refine(*domain.surface, state.curve, targets_, pool, origin_, plan.most_turn)) {
-    state.nodes.follow(origin_, pool, spare_);
+    state.nodes.follow(origin_, pool);
   }
 }
 

@@ -12,6 +12,9 @@ namespace meander {
 /// Keeps its memory from call to call. Where a call throws, the curve stays, and what its nodes carry is lost.
 class SegmentRefiner {
  public:
+  /// `test`  see Refinement
+  explicit SegmentRefiner(std::shared_ptr<CrossingTest> test) : refinement_(std::move(test)) {}
+
   /// Splits and removes segments of what grows, as the plan has it: h is its segment length where r is the nominal
   /// one, and else in proportion. Guides stay as they are to the last bit. Finds the metric of the nodes as they were
   /// before.
@@ -32,7 +35,6 @@ class SegmentRefiner {
   Refinement refinement_;
   NodeData<double> targets_;
   NodeData<uint32_t> origin_;
-  NodeHistory spare_;  // for its memory
 };
 
 }  // namespace meander

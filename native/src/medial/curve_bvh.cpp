@@ -8,6 +8,8 @@
 #include <limits>
 #include <numeric>
 
+#include "base/close_growth.h"
+
 namespace meander {
 namespace {
 
@@ -84,8 +86,8 @@ void CurveBvh::build(std::span<const Eigen::Vector3d> points, ThreadPool& pool, 
   points_ = points;
   parts_ = parts;
   const uint32_t count = static_cast<uint32_t>((points.size() + kRun - 1) / kRun);
-  boxes_.resize(count);
-  lanes_.resize(count);
+  resize_closely(boxes_, count);
+  resize_closely(lanes_, count);
   pool.for_blocks(count, 256, [&](size_t, size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
       Eigen::Vector3d low = points[k * kRun], high = low;

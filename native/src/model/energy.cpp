@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/close_growth.h"
 #include "base/elementary.h"
 #include "model/constants.h"
 
@@ -169,7 +170,7 @@ void Assembly::begin(ThreadPool& pool) {
   const uint32_t n = strand.count;
   system.closed = strand.closed;
   system.reset(n, pool);
-  direction.resize(n);
+  resize_closely(direction, n);
   const Vec2 frame = carry_frames(curve, strand, pool, system.frame, direction);
   // After the join the frame has become `frame` where the first node's was (1, 0).
   system.holonomy = strand.closed ? unit(system.frame[0] * conj(frame)) : Vec2{1, 0};
@@ -302,9 +303,9 @@ double field_energy_of_segment(const Curve& curve, const Weights& weights, uint3
 }  // namespace
 
 void StrandSystem::reset(size_t n, ThreadPool& pool) {
-  for (std::vector<double>* numbers : {&diagonal, &first, &second}) numbers->resize(n);
-  right.resize(n);
-  frame.resize(n);
+  for (std::vector<double>* numbers : {&diagonal, &first, &second}) resize_closely(*numbers, n);
+  resize_closely(right, n);
+  resize_closely(frame, n);
   pool.for_blocks(n, kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (std::vector<double>* numbers : {&diagonal, &first, &second}) {
       std::fill(numbers->data() + begin, numbers->data() + end, 0);

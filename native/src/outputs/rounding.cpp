@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -314,8 +315,9 @@ class Rounding {
   NodeData<double> radius_, moved_, left_;  // r; how far a node has gone in all, and to the left
   NodeData<uint8_t> movable_;
   NodeData<std::array<double, 2>> room_;    // to the left and to the right
-  Refinement refinement_;
-  Retraction retraction_;
+  std::shared_ptr<CrossingTest> crossings_ = std::make_shared<CrossingTest>();
+  Refinement refinement_{crossings_};
+  Retraction retraction_{crossings_};
   MoveSeconds seconds_;
 };
 

@@ -43,11 +43,12 @@ uint32_t small_components(const Surface& surface, double spacing) {
 }
 
 std::vector<double> spacing_of(const Flow::Present& present) {
-  const auto& [state, medial, plan, factor, pool] = present;
+  const auto& [state, medial, plan, factor, pool, crossings] = present;
   const double nominal = 2 * state.settings.radius * factor;
   const Surface& surface = *state.domain.surface;
   const RadiusField judged = state.domain.judged_radius();
   std::vector<double> spacing;
+  spacing.reserve(2 * state.curve.size());
   for (uint32_t i = 0; i < state.curve.size(); ++i) {
     if (state.curve.on_guide(i)) continue;
     for (size_t side = 0; side < 2; ++side) {
@@ -60,7 +61,7 @@ std::vector<double> spacing_of(const Flow::Present& present) {
 }
 
 double energy_of(const Flow::Present& present) {
-  const auto& [state, medial, plan, factor, pool] = present;
+  const auto& [state, medial, plan, factor, pool, crossings] = present;
   StrandSolver strands;
   Weights weights;
   choose_weights(plan, state, medial, strands, pool, weights);
@@ -89,8 +90,7 @@ Statistics statistics_of(Flow& flow, const CancelToken& cancel) {
     figures.length = flow.length();
     figures.energy = energy_of(present);
     figures.spacing = spacing_of(present);
-    CrossingTest test;
-    figures.crossings = test.find(*present.state.domain.surface, present.state.curve, present.pool).size();
+    figures.crossings = present.crossings.find(*present.state.domain.surface, present.state.curve, present.pool).size();
     return figures;
   }, cancel);
 }
