@@ -211,6 +211,42 @@ TEST(Filled, AStripOfTwoSpacingsFromNothing) {
   EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
 }
 
+/// Tips that swing between the boundary and a strand, and never by less, come to rest in the end.
+TEST(Filled, WhatSwingsComesToRest) {
+  const auto surface = std::make_shared<const Surface>(make_surface(strip(1, 2 * kSpacing, 1)));
+  for (const bool full : {false, true}) {
+    SCOPED_TRACE(full);
+    FlowSettings settings = checked_settings(options_of(kSpacing), *surface);
+    settings.full_start = full;
+    Flow flow(surface, nullptr, {}, settings);
+    EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+    EXPECT_LT(flow.history().size(), 250u);
+    EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+  }
+}
+
+/// Two strands along a strip lie as far from each other as from its sides, and nothing bends them.
+TEST(Filled, StrandsInBalanceArePushed) {
+  const auto surface = std::make_shared<const Surface>(make_surface(strip(80, 3.4 * kSpacing, 200)));
+  Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+  EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+  EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+  EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+}
+
+/// It lies alone in the middle of what is two spacings wide: along all of a short strip, and at the wide end of a
+/// needle only.
+TEST(Filled, AShortStrokeAloneHasAWayBack) {
+  const SeedStrands seed = seed_of({Line{{{0.03, 0, 0}, {0.09, 0.002, 0}}, false, false, false}}, false);
+  for (const Mesh& mesh : {strip(1, 2 * kSpacing, 100), needle(1, 2 * kSpacing, 1)}) {
+    const auto surface = std::make_shared<const Surface>(make_surface(mesh));
+    Flow flow(surface, &seed, {}, checked_settings(options_of(kSpacing), *surface));
+    EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+    EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+    EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+  }
+}
+
 /// Of one quad: the first curve is an outline, and what it leaves in the middle is far from no strand.
 TEST(Filled, AStripOfEightHundredByFourFromNothing) {
   const auto surface = std::make_shared<const Surface>(make_surface(strip(80, 4 * kSpacing, 1)));

@@ -33,6 +33,7 @@ meander_phase meander_context_phase(const meander_context* context) {
   switch (context->control->phase.load()) {
     case Phase::kStarting:
     case Phase::kGrowing:
+    case Phase::kLoosening:
     case Phase::kLayingRest: return MEANDER_PHASE_GROWTH;
     case Phase::kHairpinRemoval: return MEANDER_PHASE_HAIRPIN_REMOVAL;
     default: return MEANDER_PHASE_POLISH;

@@ -17,8 +17,9 @@ constexpr double kClamped = 1 - 1e-9;
 
 }  // namespace
 
-bool sees_nothing(const NodeData<Radii>& radii, const LocalMetric& metric, uint32_t node) {
-  return std::min(radii[node][0], radii[node][1]) >= kClamped * metric.max_radius[node];
+bool has_room(const NodeData<Radii>& radii, const LocalMetric& metric, uint32_t node, double room) {
+  const double least = std::min(kClamped * metric.max_radius[node], room * metric.radius[node]);
+  return std::min(radii[node][0], radii[node][1]) >= least;
 }
 
 double clamped_share(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric, ThreadPool& pool) {
@@ -46,10 +47,18 @@ double alone_share(const Curve& curve, const NodeData<Radii>& radii, const NodeD
   return alone / free_nodes(curve, pool);
 }
 
+double slack_share(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric, ThreadPool& pool) {
+  const double slack = sum_over_free(curve, pool, [&](uint32_t i) {
+    const double least = std::min(radii[i][0], radii[i][1]);
+    return least >= kSlack * metric.radius[i] && least < kClamped * metric.max_radius[i];
+  });
+  return slack / free_nodes(curve, pool);
+}
+
 void perturb_empty_stretches(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric,
-                             double share, ThreadPool& pool, NodeData<Radii>& felt_radii) {
+                             double room, double share, ThreadPool& pool, NodeData<Radii>& felt_radii) {
   const size_t n = curve.size();
-  const auto empty = [&](size_t i) { return sees_nothing(radii, metric, static_cast<uint32_t>(i)); };
+  const auto empty = [&](size_t i) { return has_room(radii, metric, static_cast<uint32_t>(i), room); };
   if (pool.first(n, kNodeGrain, empty) == n) return;
   for (const Strand& strand : curve.strands) {
     double phase = 2 * std::numbers::pi * share;

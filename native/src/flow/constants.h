@@ -171,6 +171,11 @@ inline constexpr double kGrownForSure = 0.005;
 /// compact surfaces of scripts/fingerprints.py nothing is far when growth ends.
 inline constexpr double kFarFromNodes = 3.2, kMostFar = 0.001, kLessFar = 0.0005;
 
+/// Straight strands side by side lie in balance, and none bends, where each is as far from what is beside it, but
+/// farther than kSlack, in r, > 1. Where those are more than kMostSlack of the nodes, from 0 to 1, when growth would
+/// end, they are pushed to one and the other side in turn. docs/decisions.md, "Strands in balance".
+inline constexpr double kSlack = 1.5, kMostSlack = 0.03;
+
 /// The same where more than this share of the nodes, from 0 to 1, lie alone in strips with room for their way back,
 /// which are wider than kWidestAlone, in r: an open strand may lie in the middle of one for ever.
 inline constexpr double kMostAlone = 0.01, kWidestAlone = 3.2;
@@ -198,6 +203,11 @@ inline constexpr double kMostFitted = 0.22;
 /// takes a tenth of the work, and 5 iterations instead of 10 another sixth (docs/decisions.md, "Settled").
 inline constexpr size_t kSettledWindow = 5;
 inline constexpr double kSettledLength = 0.0025, kSettledDistance = 0.05;
+
+/// Tips between a strand and the boundary may swing for ever, and by no less. While the flow waits for rest nodes move
+/// no more, in r, than one over the iterations since as many of them have passed, >= 1: a swing ends, and what goes on
+/// one way may go any distance. docs/decisions.md, "Swings".
+inline constexpr uint32_t kSwinging = 25;
 
 /// Iterations with short steps at the end, >= 1. Four of them: within noise, for a hundredth of the work
 /// (docs/decisions.md, "Tried for the shape, and left out").

@@ -83,7 +83,7 @@ void Convergence::begin_full() noexcept {
 
 void Convergence::note_approach(const IterationFigures& figures) noexcept {
   if (phase_ == Phase::kStarting && figures.laid) begin_full();
-  if (grows_in(phase_)) phase_ = Phase::kGrowing;
+  if (phase_ == Phase::kStarting || phase_ == Phase::kLayingRest) phase_ = Phase::kGrowing;
 }
 
 void Convergence::begin(Phase phase) {
@@ -151,15 +151,19 @@ void Convergence::note_idleness(const IterationFigures& figures) {
 /// `rests`: the curve hardly changes any more.
 void Convergence::note_growth(const IterationFigures& figures, bool rests) {
   const bool far = figures.far_share > kMostFar;
-  if (phase_ == Phase::kLayingRest && !figures.laid) laid_all_ = true;
-  if (!rest_laid_ && (far || (rests && figures.alone_share > kMostAlone))) {
+  const bool alone = rests && figures.alone_share > kMostAlone;
+  if ((!rest_laid_ && far) || (!alone_laid_ && alone)) {
     rest_laid_ = true;
+    alone_laid_ = alone;
     idle_ = 0;
     stalled_ = false;
     begin(Phase::kLayingRest);
   } else if (rests && far && figures.far_share < far_before_ - kLessFar) {
     far_before_ = figures.far_share;
-    begin(laid_all_ ? Phase::kGrowing : Phase::kLayingRest);
+    begin(Phase::kLayingRest);
+  } else if (rests && !loosened_ && figures.slack_share > kMostSlack) {
+    loosened_ = true;
+    begin(Phase::kLoosening);
   } else if (rests && polish_wanted_) {
     begin(hairpin_removal_iterations_ > 0 ? Phase::kHairpinRemoval : Phase::kPolishing);
   } else if (rests) {
@@ -198,6 +202,7 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
   switch (phase_) {
     case Phase::kStarting:
     case Phase::kGrowing:
+    case Phase::kLoosening:
     case Phase::kLayingRest:
       note_growth(figures, polish_wanted_ ? has_grown(growing, figures.clamped_share) : settled);
       break;

@@ -23,6 +23,7 @@ struct IterationFigures {
   /// Of the surface, what is far from the curve (far_share); only where Convergence::asks_what_is_far.
   double far_share = 0;
   double alone_share = 0;        ///< of the nodes, those that lie_alone
+  double slack_share = 0;        ///< of the nodes, those with room on both sides (slack_share)
   bool laid = false;             ///< the iteration laid something; see Iteration::lay
 };
 
@@ -101,7 +102,8 @@ class Convergence {
   bool polish_wanted_, converged_ = false, stalled_ = false;
   bool fitting_ = false;  // the polish is followed by the last iterations
   bool began_full_ = false, rest_laid_ = false;
-  bool laid_all_ = false;  // there was nothing that could be laid
+  bool loosened_ = false;    // what lay in balance has been pushed
+  bool alone_laid_ = false;  // something was tried to be laid beside what lies alone
   double far_before_ = 1;  // far_share when growth would have ended before
   uint32_t full_polish_iterations_ = 0;  // where it begins full
   double change_ = 0;     // of r since the curve grew; see revised()

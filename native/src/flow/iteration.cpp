@@ -58,7 +58,7 @@ void Iteration::measure() {
   const AtRest known{plan_.reuse_directions ? &nodes.directions : nullptr, plan_.reuse_balls ? &nodes.balls : &none};
   find_medial_axis(before(), known, plan_.medial, pool_, work_.medial);
   if (before().settings.grow_into_empty) {
-    perturb_empty_stretches(before().curve, work_.medial.radii, before().metric,
+    perturb_empty_stretches(before().curve, work_.medial.radii, before().metric, plan_.room,
                             share_of_variation(before().settings.variation), pool_, work_.medial.felt_radii);
   }
   seconds_.medial_axis = watch.lap();
@@ -78,6 +78,7 @@ void Iteration::solve() {
   figures_.displacement_norm = std::sqrt(squares) / count / before().settings.radius;
   figures_.clamped_share = clamped_share(curve, work_.medial.radii, metric, pool_);
   figures_.alone_share = alone_share(curve, work_.medial.radii, work_.medial.reach, metric, pool_);
+  figures_.slack_share = slack_share(curve, work_.medial.radii, metric, pool_);
   figures_.wanted = mean_over_movable(curve, pool_, [&](uint32_t i) { return norm(d[i]) / metric.radius[i]; });
   record_.mean_step = sum_over_free(curve, pool_, [&](uint32_t i) { return norm(d[i]); }) / count;
   record_.energy = energy(curve, work_.medial.felt_radii, metric, work_.weights, pool_);

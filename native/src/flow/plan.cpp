@@ -31,6 +31,12 @@ double most_turn_in(const FlowSettings& settings, Phase phase) {
   return std::lerp(kMostTurn, kMostGentleTurn, settings.hairpin_removal_gentleness);
 }
 
+double longest_step_in(Phase phase, uint32_t iterations_in_phase) {
+  if (phase == Phase::kCooling) return kMostWhileCooling;
+  if (phase != Phase::kFinishing || iterations_in_phase < kSwinging) return std::numeric_limits<double>::infinity();
+  return 1.0 / (iterations_in_phase - kSwinging + 1);
+}
+
 }  // namespace
 
 uint32_t polish_iterations(const FlowSettings& settings, bool full) {
@@ -50,10 +56,10 @@ IterationPlan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t
   plan.polishing = settings.polish && !grows_in(phase);
   plan.segment_length = settings.segment_length * (coarse ? settings.growth_coarsening : 1);
   plan.momentum = settings.polish ? momentum_in(phase, gentleness) : 0;
+  plan.room = phase == Phase::kLoosening ? kSlack : std::numeric_limits<double>::infinity();
   plan.hairpin_pull = std::lerp(kRoughPull, kGentlePull, gentleness);
   plan.medial.boundary_ease = gentleness;
-  plan.longest_step =
-      phase == Phase::kCooling ? kMostWhileCooling : std::numeric_limits<double>::infinity();
+  plan.longest_step = longest_step_in(phase, iterations_in_phase);
   plan.most_turn = most_turn_in(settings, phase);
   plan.medial.measure = !settings.polish || phase > Phase::kPolishing ||
                         (phase == Phase::kPolishing && iterations_in_phase >= kUnmeasuredPolish);

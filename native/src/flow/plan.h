@@ -12,6 +12,7 @@ namespace meander {
 enum class Phase {
   kStarting,        ///< one iteration, which first lays a curve that fills the surface, and then grows
   kGrowing,         ///< until nothing advances any more and little is empty
+  kLoosening,       ///< the same, where strands lie in balance with room on both sides
   kLayingRest,      ///< one iteration, which first lays what fills the empty rest of the surface, and then grows
   kHairpinRemoval,  ///< a given number of iterations
   kPolishing,       ///< a number of iterations with segments as long as they were
@@ -38,6 +39,9 @@ struct IterationPlan {
   /// The same where a strand is squeezed between the boundary and another strand, as in a strip 3 r wide. Only for
   /// curves that fill the surface from their start, whose strips are full before there is anything to wait for.
   bool firm_when_squeezed = false;
+  /// Strands that have so much room on both sides, in the local r, are pushed to one and the other in turn; see
+  /// perturb_empty_stretches.
+  double room = 0;
   double hairpin_pull = 0;    ///< the length weight that draws in runs between hairpins while these are removed
   /// Balls are measured near creases only from the middle of the polish on. Growth and hairpin removal only need to
   /// know what is hidden, and the first iterations of the polish too: curves are as even, for a fifth of the time less.

@@ -52,6 +52,7 @@ double share_with_polish(const FlowSettings& settings, const ProgressFigures& fi
   switch (figures.phase) {
     case Phase::kStarting:
     case Phase::kGrowing:
+    case Phase::kLoosening:
     case Phase::kLayingRest: done *= share_of_growth(figures.length / figures.expected_length); break;
     case Phase::kHairpinRemoval: done += std::min(age, removal); break;
     case Phase::kPolishing: done += removal + std::min(age, polish); break;

@@ -95,7 +95,7 @@ void set_length_weights(const Weighting& w, double push, const NodeData<double>&
   w.pool.for_blocks(w.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const bool empty = w.settings().grow_into_empty &&
-                         sees_nothing(w.medial.radii, w.state.metric, static_cast<uint32_t>(i));
+                         has_room(w.medial.radii, w.state.metric, static_cast<uint32_t>(i), w.plan.room);
       length[i] = empty ? kIntoEmpty : usual(i);
       if (push != 0) length[i] -= push_along_field(w, i, push, spacing[i]);
       if (in_strip(w, i)) length[i] = kOutOfStrip;

@@ -16,7 +16,7 @@ namespace {
 constexpr double kOneLine = 3.2, kTwoStrands = 6.4;
 
 /// A tail that is shorter than this, in r, stays part of its trunk.
-constexpr double kLeastTail = 8;
+constexpr double kLeastTail = 1.5;
 
 /// An end runs on along a line whose tip is no farther than this, in r, and no farther from straight ahead than by this
 /// cosine.
