@@ -4,6 +4,7 @@
 
     bench.py NEW [options]            measure one build
     bench.py OLD NEW [options]        measure two, case by case in turns: A B A B ...
+    bench.py NEW --group scale        large curves from a mesh file to a curve file, see scale.py
 
 A build is a folder that holds meander_bench and lib/, or a library file. Two library files, and a
 file beside a folder, are measured by the same meander_bench: the folder's, or the one in build/.
@@ -19,10 +20,13 @@ from __future__ import annotations
 import argparse
 import json
 import math
+import os
 import statistics
 import subprocess
 import sys
 from pathlib import Path
+
+import scale
 
 # Seconds of the authors' program, single-threaded, which is its fastest: medians of 3.
 AUTHORS_SECONDS = {"bunny": 2.23, "spot": 3.55, "hand_closed": 2.65, "stuffedtoy": 19.95}
@@ -177,8 +181,24 @@ def parsed_arguments() -> argparse.Namespace:
     return given
 
 
+def measure_scale(given: argparse.Namespace) -> None:
+    """The group measured through the batch command: up to a million nodes, or --most-nodes."""
+    build = given.builds[-1]
+    library = next(build.glob("lib/libmeander-*.so")) if build.is_dir() else build
+    most = int(given.most_nodes or 1_000_000)
+    failed = False
+    for row in scale.rows(library.resolve(), most, given.threads or str(os.cpu_count())):
+        print(json.dumps(row), flush=True)
+        failed |= "error" in row
+    if failed:
+        sys.exit(1)
+
+
 def main() -> None:
     given = parsed_arguments()
+    if given.group == ["scale"]:
+        measure_scale(given)
+        return
     folders = [path for path in given.builds if path.is_dir()]
     beside = folders[-1] if folders else Path(__file__).resolve().parents[1] / "build"
     names = ["new"] if len(given.builds) == 1 else ["old", "new"]

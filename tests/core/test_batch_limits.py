@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
 from meander import batch
-from meander.cli import limits
+from meander.cli import command, limits, watching, writing
 from meander.model.estimate import available_memory
 from sentences import assert_sentence
 
@@ -50,10 +51,16 @@ def test_more_nodes_than_are_wanted(square: Square) -> None:
     assert square.fill("--spacing", 0.1, "--limit-nodes", 10_000) == 0
 
 
-def test_there_is_a_limit_of_nodes_by_itself(square: Square) -> None:
-    # 80 million nodes would take a night.
-    said = square.refusal("--spacing", 3e-4, "--limit-memory", 1e9)
+def test_nodes_are_limited_where_memory_is_not_known(
+    square: Square, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Elsewhere the memory is the limit, however many nodes it holds."""
+    monkeypatch.setattr(limits, "available_memory", lambda: None)
+    said = square.refusal("--spacing", 3e-4)
     assert "--limit-nodes is 5,000,000" in said
+    monkeypatch.setattr(limits, "available_memory", lambda: 2_000_000_000)
+    said = square.refusal("--spacing", 3e-4)
+    assert "2 GB are available" in said and "--limit-nodes" not in said
 
 
 def test_what_no_flag_helps_against_is_said_by_the_library(square: Square) -> None:
@@ -82,7 +89,7 @@ def test_the_report_has_what_was_expected(square: Square) -> None:
     report = json.loads(square.report.read_text())
     assert report["estimate"]["nodes"] == pytest.approx(report["nodes"], rel=0.1)
     assert report["estimate"]["length"] == pytest.approx(report["length"], rel=0.1)
-    assert report["options"]["limit_nodes"] == 5_000_000
+    assert report["options"]["limit_nodes"] is None
 
 
 # ------------------------------------------------------------------------------------------------
@@ -134,3 +141,38 @@ def test_of_groups_without_a_limit_or_of_another_version(tmp_path: Path) -> None
 def test_of_this_machine() -> None:
     available = available_memory()
     assert available is None or available > 1_000_000
+
+
+# ------------------------------------------------------------------------------------------------
+# What is said meanwhile
+
+
+def test_a_large_run_says_what_it_comes_to_and_what_it_is_about(
+    square: Square, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
+) -> None:
+    """From before its first iteration to its file; a small one says none of it."""
+    assert square.fill("--spacing", 0.1) == 0
+    said = capsys.readouterr().out
+    assert "about" not in said and "measuring" not in said and "writing" not in said
+    for module in (command, writing):
+        monkeypatch.setattr(module, "LARGE", 100)
+    assert square.fill("--spacing", 0.1) == 0
+    said = capsys.readouterr().out
+    begun = ("about ", "measuring", "writing", "wrote")
+    places = [said.index(f"meander: {what}") for what in begun]
+    assert places == sorted(places)
+    assert " nodes, " in said and " of a processor\n" in said
+
+
+def test_the_phase_of_a_run_is_said(
+    square: Square, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
+) -> None:
+    monkeypatch.setattr(watching, "_FIRST_SECONDS", 0.0)
+    monkeypatch.setattr(watching, "_PROGRESS_SECONDS", 0.0)
+    assert square.fill("--spacing", 0.03) == 0
+    said = capsys.readouterr().out
+    phases = "preparing|growing|removing hairpins|evening out"
+    found = re.findall(rf"^meander: ({phases}), (\d+)% after [\d.]+ s$", said, re.MULTILINE)
+    assert found
+    shares = [int(share) for _phase, share in found]
+    assert shares == sorted(shares)

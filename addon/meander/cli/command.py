@@ -15,6 +15,7 @@ from typing import Any
 from .. import core
 from ..model import bundle, last_run, report, start, strands
 from ..model.empty import Empty, empty_of, narrow_remark, remark
+from ..model.estimate import cost_in_words
 from ..model.files import meshes
 from ..model.files.whole import FileError
 from ..model.least_bend import sharpest_bend
@@ -39,7 +40,7 @@ from .grown import Grown, grown_of, length_of, written
 from .input import Input
 from .place import Place
 from .reading import read_input
-from .watching import summary
+from .watching import LARGE, summary
 from .writing import echo, write_outputs
 
 
@@ -96,12 +97,20 @@ def _filled(
     opened = _open(given, arguments, place)
     with opened.flow as grown_flow:
         reason, options = _run(opened, options, arguments, place)
+        if opened.cost.nodes > LARGE:
+            place.say("meander: measuring the curve")
         stiffness = options.bending_weight
         if stiffness != opened.problem.options.bending_weight:  # what a .blend is to keep
             arguments.bending = stiffness
         with mirror.whole(opened, options) as (flow, figures, of_mirror):
             figures |= {"stop_reason": reason}
-            grown = grown_of(flow, opened, arguments.leave_out_guides, arguments.round or 0.0)
+            grown = grown_of(
+                flow,
+                opened,
+                arguments.leave_out_guides,
+                arguments.round or 0.0,
+                with_data=arguments.output.suffix.lower() != ".obj",
+            )
             line = written(grown, arguments, opened.problem)
             # Not all that has grown, or another line.
             if line is not grown or arguments.leave_out_guides or arguments.round:
@@ -229,6 +238,8 @@ def _open(given: Input, arguments: argparse.Namespace, place: Place) -> Opened:
 
     def accept(cost: core.Cost) -> None:
         limits.refuse_large(cost, arguments)
+        if LARGE < cost.nodes <= limits.MOST_OF_LIBRARY:
+            place.say(f"meander: about {cost_in_words(cost)}")
 
     try:
         return open_flow(given.problem, accept=accept)

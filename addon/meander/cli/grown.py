@@ -25,6 +25,7 @@ from . import flags
 class Grown:
     """The curve, what is known of its points, and which of its strands are guides.
 
+    data      None: what is written says nothing of it
     density   per vertex of the surface; None: 1 everywhere
     cut       of the surface along all of the curve; None: none is wanted
     line      what was joined to one line by bridges; None: nothing
@@ -32,7 +33,7 @@ class Grown:
     """
 
     curve: core.Polylines
-    data: core.PointData
+    data: core.PointData | None
     guides: NDArray[np.bool_]
     density: NDArray[np.float64] | None
     cut: core.CutSurface | None = None
@@ -41,18 +42,34 @@ class Grown:
 
 
 def grown_of(
-    flow: core.Flow, opened: Opened, without_guides: bool, rounding: float = 0.0
+    flow: core.Flow,
+    opened: Opened,
+    without_guides: bool,
+    rounding: float = 0.0,
+    with_data: bool = True,
 ) -> Grown:
     """The curve of a run that has ended, or the line with round turns, at most so many spacings
-    beside it. Raises core.MeanderError."""
-    curve, data = flow.rounded(rounding) if rounding else (flow.polylines(), flow.point_data())
+    beside it. Raises core.MeanderError.
+
+    with_data   what is known of its points, which costs a medial axis, and more memory than they
+    """
+    curve, data = flow.rounded(rounding) if rounding else (flow.polylines(), None)
+    if not with_data:
+        data = None
+    elif data is None:
+        data = flow.point_data()
     guides = flow.guides()
     if without_guides:
         kept = strands.points_without_guides(curve, guides)
-        data = core.PointData(*(values[kept] for values in data))
+        data = _kept(data, kept)
         curve = strands.without_guides(curve, guides)
         guides = guides[~guides]
     return Grown(curve, data, guides, opened.density)
+
+
+def _kept(data: core.PointData | None, kept: NDArray[np.integer]) -> core.PointData | None:
+    """What is known of some of the points."""
+    return None if data is None else core.PointData(*(values[kept] for values in data))
 
 
 def lightened(grown: Grown, radius: float, light: Light | None) -> Grown:
@@ -61,7 +78,7 @@ def lightened(grown: Grown, radius: float, light: Light | None) -> Grown:
         return grown
     spacing = thinning.least_spacing(radius, grown.density)
     kept = light_points(grown.curve, light, spacing)
-    data = core.PointData(*(values[kept] for values in grown.data))
+    data = _kept(grown.data, kept)
     return replace(grown, curve=thinning.with_points(grown.curve, kept), data=data)
 
 
@@ -71,8 +88,9 @@ def bridged(grown: Grown, problem: Problem) -> Grown:
     line = bridges.joined(grown.curve, spacing, grown.guides)
     if line is None:
         return grown
-    mesh = toolpath.Mesh(problem.vertices, problem.faces)
-    data = bridges.data_of(line, grown.data, mesh)
+    data = grown.data
+    if data is not None:
+        data = bridges.data_of(line, data, toolpath.Mesh(problem.vertices, problem.faces))
     return replace(grown, curve=line.polylines, data=data, guides=line.guides, line=line)
 
 

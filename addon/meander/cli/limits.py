@@ -10,10 +10,11 @@ from ..model.estimate import BYTES_PER_POINT, available_memory, cost_in_words, s
 from . import values
 from .values import BadInput
 
+# Where nobody knows how much memory there is.
 _MOST_NODES = 5_000_000
 _MEGABYTE = 1_000_000
 # From here on the library refuses by itself, and no flag helps.
-_MOST_OF_LIBRARY = 500_000_000
+MOST_OF_LIBRARY = 500_000_000
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -23,9 +24,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--limit-nodes",
         type=values.reader(int, least=1),
-        default=_MOST_NODES,
         metavar="N",
-        help=f"of the curve; default: {_MOST_NODES:,}",
+        help="of the curve; default: as many as the memory holds, and where nobody knows how much "
+        f"that is, {_MOST_NODES:,}",
     )
     group.add_argument(
         "--limit-memory",
@@ -52,21 +53,24 @@ def cost_with_files(cost: core.Cost) -> float:
 
 def refuse_large(cost: core.Cost, arguments: argparse.Namespace) -> None:
     """Raises BadInput for a run that is expected to be larger than it may be."""
-    if cost.nodes > _MOST_OF_LIBRARY:
+    if cost.nodes > MOST_OF_LIBRARY:
         return
-    if cost.nodes > arguments.limit_nodes:
-        raise BadInput(
-            f"the run would need about {cost_in_words(cost)}, and --limit-nodes is "
-            f"{arguments.limit_nodes:,}; choose a larger spacing, or raise --limit-nodes"
-        )
     needed, limit = cost_with_files(cost), arguments.limit_memory
+    available = available_memory() if limit is None else None
+    most = arguments.limit_nodes
+    if most is None and limit is None and available is None:
+        most = _MOST_NODES
+    if most is not None and cost.nodes > most:
+        raise BadInput(
+            f"the run would need about {cost_in_words(cost)}, and --limit-nodes is {most:,}; "
+            "choose a larger spacing, or raise --limit-nodes"
+        )
     if limit is not None and needed > limit * _MEGABYTE:
         raise BadInput(
             f"the run would need about {cost_in_words(cost)}, with its files "
             f"{size_in_words(needed)}, and --limit-memory is {limit:,g} MB; choose a larger "
             "spacing, or raise --limit-memory"
         )
-    available = available_memory() if limit is None else None
     if available is not None and needed > available:
         raise BadInput(
             f"the run would need about {cost_in_words(cost)}, with its files "

@@ -9,10 +9,15 @@ from typing import Any
 
 from .. import core
 from ..model.empty import Empty, percent
+from ..model.estimate import PHASE_TEXTS
 
 # A line of progress after each such share of the run, or after this many seconds.
 _PROGRESS_SHARE = 0.1
 _PROGRESS_SECONDS = 10.0
+# The first line comes no later, so that whoever waits knows that something is done.
+_FIRST_SECONDS = 1.0
+# What lasts before and after a run is said from so many nodes on.
+LARGE = 200_000
 # The longest time between two polls of a run, in seconds.
 _LONGEST_PAUSE = 0.1
 
@@ -26,7 +31,7 @@ def run(flow: core.Flow, say: Callable[[str], None]) -> str:
     asking the flow itself between steps would cost a medial axis each time.
     """
     started = time.monotonic()
-    printed, printed_at = 0.0, started
+    printed, next_at = 0.0, started + _FIRST_SECONDS
     pause = 0.001
     with core.Context() as context:
         flow.start(context)
@@ -35,10 +40,11 @@ def run(flow: core.Flow, say: Callable[[str], None]) -> str:
                 time.sleep(pause)
                 pause = min(2 * pause, _LONGEST_PAUSE)  # a short run is not waited for
                 progress, now = context.progress, time.monotonic()
-                due = progress >= printed + _PROGRESS_SHARE or now >= printed_at + _PROGRESS_SECONDS
+                due = progress >= printed + _PROGRESS_SHARE or now >= next_at
                 if due and flow.running:
-                    say(f"meander: {progress:.0%} after {now - started:.1f} s")
-                    printed, printed_at = progress, now
+                    about = PHASE_TEXTS[context.phase].lower()
+                    say(f"meander: {about}, {progress:.0%} after {now - started:.1f} s")
+                    printed, next_at = progress, now + _PROGRESS_SECONDS
         except BaseException:  # an interruption from the keyboard, above all
             context.cancel()
             flow.wait()

@@ -37,6 +37,7 @@ from .grown import Grown, bridge_figures, written
 from .input import Input
 from .place import Place
 from .spacing import is_automatic
+from .watching import LARGE
 
 
 class Written(NamedTuple):
@@ -101,6 +102,8 @@ def write_outputs(
     """Writes all files beside their places first, then moves them in, the report at the end."""
     of_cut = None if grown.cut is None else arguments.cut
     wanted = (arguments.output, of_cut, *grown.images, arguments.report)
+    if len(grown.curve.positions) > LARGE:
+        place.say(f"meander: writing {arguments.output}")
     with whole_files([path for path in wanted if path is not None]) as temporary:
         paths = iter(temporary)
         with naming(arguments.output):

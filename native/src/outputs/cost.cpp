@@ -41,7 +41,7 @@ constexpr double kSecondsPerFace = 0.25e-6;
 /// Bytes for each face: of the surface, while distances along it are set up, and of a flow.
 constexpr double kSurfacePerFace = 195, kPatchesPerFace = 95, kFlowPerFace = 12;
 /// Bytes for each node of a flow, and what a polish and distances along the surface add to them.
-constexpr double kBytesPerNode = 1370, kPolishPerNode = 490, kGeodesicPerNode = 190;
+constexpr double kBytesPerNode = 1165, kPolishPerNode = 420, kGeodesicPerNode = 165;
 
 double iterations_of(double nodes, const FlowSettings& s) {
   const double growth = elementary::pow(std::max(1.0, nodes / kFewNodes), kIterationGrowth);
