@@ -130,7 +130,8 @@ def _round_line(tree: nodes.Tree, given: bpy.types.NodeInputs) -> bpy.types.Node
 
 
 def _with_attributes(tree: nodes.Tree, geometry: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
-    """What a material wants to know of a point: where along its strand it is, and which that is."""
+    """What a material wants to know of a point: where along its strand it is, which that is, and
+    how its surface lies."""
     length = tree.add("GeometryNodeSplineParameter").outputs["Length"]
     # Not the node's own factor: in Blender 3.4 that is 1 at the last point of a closed strand.
     whole = tree.add("GeometryNodeSplineLength").outputs["Length"]
@@ -148,6 +149,7 @@ def _with_attributes(tree: nodes.Tree, geometry: bpy.types.NodeSocket) -> bpy.ty
         ("ramp", "FLOAT", nodes.switch(tree, closed, along, round_trip, "FLOAT")),
         ("arc_length", "FLOAT", length),
         ("strand", "INT", nodes.visible(strand.outputs, "Value")),
+        ("surface_normal", "FLOAT_VECTOR", tree.add("GeometryNodeInputNormal").outputs[0]),
     )
     for name, kind, value in named:
         geometry = tree.add(

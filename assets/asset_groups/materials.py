@@ -17,6 +17,8 @@ _STOPS = (
     (0.5, (0.160, 0.008, 0.150)),
     (1.0, (0.420, 0.045, 0.010)),
 )
+# The color that strands behind fade into, and how soon they do beside the outline.
+_BEHIND, _SOFT = (0.8, 0.8, 0.8, 1.0), 2.5
 _IN_VIEWS = (0.012, 0.030, 0.150, 1.0)  # with materials as plain colours, as in Solid view
 
 
@@ -41,6 +43,32 @@ def _ends() -> bpy.types.Material:
     return material
 
 
+def _fade(tree: nodes.Tree) -> bpy.types.NodeSocket:
+    """How much of a line fades: a value that is 0 to begin with, where the surface is seen from
+    behind; without the surface these are the strands on the far side."""
+    normal = tree.add(
+        "ShaderNodeAttribute", attribute_type="GEOMETRY", attribute_name="surface_normal"
+    )
+    in_world = tree.add(
+        "ShaderNodeVectorTransform",
+        {"Vector": normal.outputs["Vector"]},
+        vector_type="NORMAL",
+        convert_from="OBJECT",
+        convert_to="WORLD",
+    )
+    to_viewer = tree.add("ShaderNodeNewGeometry").outputs["Incoming"]
+    facing = tree.add(
+        "ShaderNodeVectorMath", {0: in_world.outputs[0], 1: to_viewer}, operation="DOT_PRODUCT"
+    )
+    facing = nodes.visible(facing.outputs, "Value")
+    away = tree.add(
+        "ShaderNodeMath", {0: facing, 1: -_SOFT, 2: 0.5}, operation="MULTIPLY_ADD", use_clamp=True
+    )
+    fade = tree.add("ShaderNodeValue")
+    fade.label, fade.outputs[0].default_value = "Fade Behind", 0.0
+    return tree.math("MULTIPLY", away.outputs[0], fade.outputs[0])
+
+
 def _line() -> bpy.types.Material:
     material = bpy.data.materials.new(LINE)
     material.diffuse_color = _IN_VIEWS
@@ -60,6 +88,12 @@ def _line() -> bpy.types.Material:
     shader = tree.add(
         "ShaderNodeBsdfPrincipled", {"Base Color": ramp.outputs["Color"], "Roughness": 0.4}
     )
-    tree.add("ShaderNodeOutputMaterial", {"Surface": shader.outputs[0]})
+    behind = tree.add("ShaderNodeRGB")
+    behind.label, behind.outputs[0].default_value = "Color Behind", _BEHIND
+    plain = tree.add("ShaderNodeEmission", {"Color": behind.outputs[0]})
+    faded = tree.add(
+        "ShaderNodeMixShader", {"Fac": _fade(tree), 1: shader.outputs[0], 2: plain.outputs[0]}
+    )
+    tree.add("ShaderNodeOutputMaterial", {"Surface": faded.outputs[0]})
     nodes.mark(material, "Colours a line from its beginning to its end", "Materials")
     return material

@@ -15,9 +15,10 @@ _PRESSED = 1.08
 _LENGTH = 10.0
 # The length of the pieces of a ply in radii, where it has no more than one turn in that length.
 _PIECE = 0.5
-# A fibre: how long it is and how thick, in radii; how many there are on a square of one radius,
-# where Fuzz is 1.
-_FIBRE, _THIN, _MANY = 0.9, 0.02, 3.0
+# A fibre: how thick it is, in radii; how many there are on a square of one radius, where Fuzz is 1.
+_THIN, _MANY = 0.02, 3.0
+# How long fibres are, in radii: most are short, and a few of them long.
+_SHORT, _LONG = 0.35, 2.0
 
 INPUTS = (
     ("NodeSocketInt", "Plies", "Of a rope", 3, 2, 12),
@@ -130,29 +131,24 @@ def fuzzy(
         )
         return nodes.visible(node.outputs, "Value")
 
-    def arc() -> bpy.types.NodeSocket:
-        return tree.add(
-            "GeometryNodeCurvePrimitiveBezierSegment",
-            {
-                "Resolution": 4,
-                "Start": (0.0, 0.0, -0.1),
-                "Start Handle": (0.0, 0.0, 0.4),
-                "End Handle": (0.4, 0.0, 0.4),
-                "End": (0.7, 0.2, 0.5),
-            },
+    fibres = tree.add("GeometryNodeGeometryToInstance")
+    for curve in _shapes(tree):
+        section = tree.add("GeometryNodeCurvePrimitiveCircle", {"Resolution": 3, "Radius": _THIN})
+        fibre = tree.add(
+            "GeometryNodeCurveToMesh", {"Curve": curve, "Profile Curve": section.outputs[0]}
         ).outputs[0]
-
-    section = tree.add("GeometryNodeCurvePrimitiveCircle", {"Resolution": 3, "Radius": _THIN})
-    fibre = tree.add(
-        "GeometryNodeCurveToMesh", {"Curve": arc(), "Profile Curve": section.outputs[0]}
-    ).outputs[0]
-    size = tree.math("MULTIPLY", random(0.5 * _FIBRE, 1.5 * _FIBRE, "FLOAT", 2), thickness)
+        tree.tree.links.new(fibre, fibres.inputs[0])
+    share = tree.math("POWER", random(0.0, 1.0, "FLOAT", 2), 3.0)
+    length = tree.math("MULTIPLY_ADD", share, _LONG - _SHORT, _SHORT)
+    size = tree.math("MULTIPLY", length, thickness)
     turn = random((-0.6, -0.6, -math.pi), (0.6, 0.6, math.pi), "FLOAT_VECTOR", 1)
     placed = tree.add(
         "GeometryNodeInstanceOnPoints",
         {
             "Points": roots["Points"],
-            "Instance": fibre,
+            "Instance": fibres.outputs[0],
+            "Pick Instance": True,
+            "Instance Index": random(0, 2, "INT", 3),
             "Rotation": roots["Rotation"],
             "Scale": size,
         },
@@ -165,6 +161,34 @@ def fuzzy(
     tree.tree.links.new(loose, join.inputs[0])
     tree.tree.links.new(mesh, join.inputs[0])
     return join.outputs[0]
+
+
+def _shapes(tree: nodes.Tree) -> list[bpy.types.NodeSocket]:
+    """Fibres that rise from their place along Z, about as long as 1: one that leans, one that bends
+    back, and one that curls."""
+
+    def bent(*ends: tuple[float, float, float]) -> bpy.types.NodeSocket:
+        names = ("Start", "Start Handle", "End Handle", "End")
+        values = dict(zip(names, ends, strict=True))
+        return tree.add(
+            "GeometryNodeCurvePrimitiveBezierSegment", {"Resolution": 4} | values
+        ).outputs[0]
+
+    curl = tree.add(
+        "GeometryNodeCurveSpiral",
+        {
+            "Resolution": 6,
+            "Rotations": 1.3,
+            "Start Radius": 0.02,
+            "End Radius": 0.22,
+            "Height": 0.6,
+        },
+    ).outputs[0]
+    return [
+        bent((0.0, 0.0, -0.1), (0.0, 0.0, 0.4), (0.4, 0.0, 0.4), (0.7, 0.2, 0.5)),
+        bent((0.0, 0.0, -0.1), (0.1, 0.0, 0.8), (0.7, 0.1, 0.7), (0.5, 0.3, 0.1)),
+        curl,
+    ]
 
 
 def _times(

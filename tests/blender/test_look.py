@@ -256,9 +256,26 @@ def test_fuzz_is_loose_fibres_that_have_the_colours_of_their_place():
     ramp = np.empty(len(mesh.vertices), dtype=np.float32)
     mesh.attributes["ramp"].data.foreach_get("value", ramp)
     assert np.quantile(ramp[smooth:], 0.1) > 0.01 and np.ptp(ramp[smooth:]) > 0.9
+    # Of many lengths, most of them short.
+    reach = heights(result) - 1.0
+    stand_off = reach[smooth:][reach[smooth:] > 1.1 * 0.15 * SPACING] / (0.15 * SPACING)
+    assert np.quantile(stand_off, 0.99) > 1.5 * np.median(stand_off)
     # Other profiles have none.
     result.meander.shown_profile = "ROUND"
     assert len(body_of(result).vertices) < smooth
+
+
+def test_a_line_knows_its_surface_and_can_fade_behind():
+    result = small(bevel_share=0.15)
+    mesh = body_of(result)
+    normals = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+    mesh.attributes["surface_normal"].data.foreach_get("vector", normals)
+    points = np.array([vertex.co for vertex in mesh.vertices])
+    outward = points / np.linalg.norm(points, axis=1, keepdims=True)
+    assert ((normals.reshape(-1, 3) * outward).sum(axis=1) > 0.9).mean() > 0.98
+    nodes = {node.label: node for node in look.material_of(result).node_tree.nodes}
+    assert nodes["Fade Behind"].outputs[0].default_value == 0.0
+    assert nodes["Color Behind"].bl_idname == "ShaderNodeRGB"
 
 
 def beyond(result: bpy.types.Object) -> tuple[list[float], set[str]]:

@@ -65,8 +65,14 @@ def test_a_file_has_the_line_that_is_seen(result: bpy.types.Object, tmp_path: Pa
 def test_baked_growth_ends_as_what_is_seen(result: bpy.types.Object) -> None:
     drawn = scenes.points_of(drawn_line.drawn_of(result))
     assert bpy.ops.meander.bake_growth(every=15) == {"FINISHED"}
-    last = list(result.meander.bake.objects)[-1]
-    assert np.allclose(scenes.points_of(last), drawn, atol=1e-5)
+    frames = list(result.meander.bake.objects)
+    assert np.allclose(scenes.points_of(frames[-1]), drawn, atol=1e-5)
+    # The first loop is no polygon.
+    ((loop, _closed),) = scenes.world_splines(frames[0])
+    sides = np.roll(loop, -1, axis=0) - loop
+    sides /= np.linalg.norm(sides, axis=1, keepdims=True)
+    turns = np.degrees(np.arccos((sides * np.roll(sides, 1, axis=0)).sum(axis=1).clip(-1, 1)))
+    assert turns.max() < 15.0
 
 
 @pytest.mark.parametrize("motion", ["EVEN", "STICK"])

@@ -129,7 +129,7 @@ def after_a_run() -> Iterator[float]:
     before = corners()
     yield from looked()
     choose(result, "spacing", 0.85 * SPACING)
-    yield from follows()
+    yield from until(lambda: ended() and splines_of(RESULT) != second, "the curve follows")
     closer = splines_of(RESULT)
     yield from until(lambda: corners() != before, "the two-tone follows")
     after = corners()
