@@ -59,6 +59,7 @@ ELSEWHERE = {
     "is not a finite number at vertex \0 of": ("test_density_sources.py", "The UV map '"),
     "shows instances only": ("test_first_try.py", "Make Instances Real"),
     "so that its bridges cannot": ("test_strands.py", "its bridges cannot be taken out"),
+    "cannot be read as a picture": ("test_picture.py", "cannot be read as a picture; save it as"),
     "has no camera; add": ("test_camera_drawing.py", "has no camera; add one"),
     "is no camera; make": ("test_camera_drawing.py", "is no camera; make a camera"),
     "is in what this view layer": ("test_made_objects.py", "does not show; show 'Elsewhere'"),

@@ -54,6 +54,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
         "points_to_curves",
         "export_toolpath",
         "maps",
+        "picture",
         "draw_camera",
     ),
     ("open_help",),
