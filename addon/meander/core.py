@@ -48,6 +48,7 @@ from .binding.choices import (
 )
 from .binding.context import Context
 from .binding.cost import Cost, Extent, estimate_cost
+from .binding.curve import Gaps, Nodes, PointData, Polylines, Preview
 from .binding.cut import NO_STRAND, CutSurface, cut_surface
 from .binding.files import (
     TextPolygons,
@@ -56,7 +57,7 @@ from .binding.files import (
     text_rows,
     triangulated,
 )
-from .binding.flow import Flow, Gaps, Nodes, PointData, Polylines, Preview
+from .binding.flow import Flow
 from .binding.flow_options import FlowOptions, default_options, option_warnings
 from .binding.maps import CutPlaces, MapPixels, cut_places, map_pixels
 from .binding.named import unknown_name

@@ -1,20 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes and curves of other libraries of Python: trimesh and PyVista, which are not needed for
-anything else. A mesh is known by what it has, so that neither is imported for it."""
+"""Meshes of other libraries of Python, trimesh and PyVista, known by what they have, so that
+neither is imported for it."""
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .files import triangulated
 from .native_library import MeanderError, checked_array
-
-if TYPE_CHECKING:
-    from .flow import PointData, Polylines
 
 
 def mesh_arrays(
@@ -53,65 +49,3 @@ def _triangles_of(mesh: Any) -> NDArray[np.uint32]:
     corners = np.delete(listed, starts).astype(np.uint32)
     points = np.asarray(mesh.points, dtype=np.float64)
     return triangulated(points, corners, np.cumsum(listed[starts]).astype(np.uint64))[0]
-
-
-def _imported(name: str, package: str) -> Any:
-    try:
-        return importlib.import_module(name)
-    except ImportError as missing:
-        raise MeanderError(
-            f"this needs the Python package {package}, which is not there ({missing}); install it "
-            f"with python3 -m pip install {package}"
-        ) from missing
-
-
-def _values(curve: Polylines, data: PointData | None) -> dict[str, NDArray]:
-    """What is known of the points, by name."""
-    if data is None:
-        return {}
-    if len(data.arc_lengths) != len(curve.positions):
-        raise MeanderError(
-            f"the data are of {len(data.arc_lengths)} points and the curve has "
-            f"{len(curve.positions)}; take both from the flow at the same time"
-        )
-    return {
-        "arc_length": data.arc_lengths,
-        "tangent": data.tangents,
-        "r_plus": data.radii[:, 0],
-        "r_minus": data.radii[:, 1],
-        "face": data.faces,
-        "weights": data.barycentrics,
-    }
-
-
-def _orders(curve: Polylines) -> list[NDArray[np.int64]]:
-    """The points of each strand in order, of a closed one with the first again at the end."""
-    offsets = np.asarray(curve.offsets, dtype=np.int64)
-    return [
-        np.append(np.arange(begin, end), [begin] if closed else []).astype(np.int64)
-        for begin, end, closed in zip(offsets[:-1], offsets[1:], curve.closed, strict=True)
-    ]
-
-
-def path_of(curve: Polylines, data: PointData | None) -> Any:
-    """A curve as a trimesh.path.Path3D; see Polylines.to_trimesh."""
-    entities = _imported("trimesh.path.entities", "trimesh")
-    return _imported("trimesh.path", "trimesh").Path3D(
-        entities=[entities.Line(order) for order in _orders(curve)],
-        vertices=np.array(curve.positions),
-        vertex_attributes={"normal": np.array(curve.normals), **_values(curve, data)},
-        process=False,
-    )
-
-
-def poly_data_of(curve: Polylines, data: PointData | None) -> Any:
-    """A curve as a pyvista.PolyData; see Polylines.to_pyvista."""
-    pyvista = _imported("pyvista", "pyvista")
-    orders = _orders(curve)
-    lines = np.concatenate([np.append(len(order), order) for order in orders] or [[]])
-    made = pyvista.PolyData(np.array(curve.positions), lines=lines.astype(np.int64))
-    made.point_data["Normals"] = np.array(curve.normals)
-    for name, values in _values(curve, data).items():
-        made.point_data[name] = values
-    made.cell_data["strand"] = np.arange(len(orders))
-    return made

@@ -9,8 +9,8 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from ctypes import byref, c_size_t, sizeof
-from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -29,7 +29,7 @@ from .abi import (
 )
 from .choices import ALIGNMENTS, STOP_REASONS
 from .context import Context, pointer_of
-from .elsewhere import path_of, poly_data_of
+from .curve import Gaps, Nodes, PointData, Polylines, Preview
 from .flow_options import FlowOptions, options_record
 from .interruption import heard
 from .native_library import (
@@ -52,127 +52,6 @@ from .native_library import (
 from .seed import Seed, seed_record
 from .spacing import automatic_spacing, spacing_for
 from .surface import Surface
-
-# ------------------------------------------------------------------------------------------------
-# Results
-
-
-class Polylines(NamedTuple):
-    """The curve as full geodesic polylines; every straight piece lies in one face.
-
-    positions  (n, 3) float64, strand after strand
-    normals    (n, 3) float64, unit normals of the surface
-    offsets    (s + 1,) uint32: strand k has the points offsets[k] .. offsets[k + 1] - 1
-    closed     (s,) uint8: 1 if the last point joins the first, which is not repeated
-    """
-
-    positions: NDArray[np.float64]
-    normals: NDArray[np.float64]
-    offsets: NDArray[np.uint32]
-    closed: NDArray[np.uint8]
-
-    def to_trimesh(self, data: PointData | None = None) -> Any:
-        """A trimesh.path.Path3D with a line for each strand, whose points keep their numbers.
-
-        data  of the same points, of Flow.point_data(): vertex attributes, beside `normal`, of the
-              names that .csv files have; None: none
-
-        Raises MeanderError where trimesh is not there, and for data of another number of points.
-        """
-        return path_of(self, data)
-
-    def to_pyvista(self, data: PointData | None = None) -> Any:
-        """A pyvista.PolyData with a line for each strand, numbered by the cell data `strand`.
-
-        data  of the same points, of Flow.point_data(): point data, beside `Normals`, of the names
-              that .csv files have; None: none
-
-        Raises MeanderError where PyVista is not there, and for data of another number of points.
-        """
-        return poly_data_of(self, data)
-
-
-class Preview(NamedTuple):
-    """The curve of a started run between two iterations.
-
-    polylines   without normals, which nobody sees who watches: (0, 3)
-    iterations  over the life of the flow
-    nodes       of the curve
-    length      of the curve
-    seconds     of all iterations
-    kept        how many copies of growth come after this one; see Flow.keep_growth
-    """
-
-    polylines: Polylines
-    iterations: int
-    nodes: int
-    length: float
-    seconds: float
-    kept: int = 0
-
-
-class Nodes(NamedTuple):
-    """The nodes of the curve as points of the mesh, strand after strand.
-
-    faces         (n,) uint32, index of the face as passed to Surface
-    barycentrics  (n, 3) float64, weights of the face's vertices in the caller's order; sum 1
-    radii         (n, 2) float64, medial radius on either side; 0 before the first step
-    fixed         (n,) uint8, 1 never moves
-    """
-
-    faces: NDArray[np.uint32]
-    barycentrics: NDArray[np.float64]
-    radii: NDArray[np.float64]
-    fixed: NDArray[np.uint8]
-
-
-class PointData(NamedTuple):
-    """What is known of every point of the polylines, in their order.
-
-    arc_lengths   (n,) float64, arc length of the strand from its first point
-    normals       (n, 3) float64, unit normals of the surface
-    tangents      (n, 3) float64, unit, along the strand
-    radii         (n, 2) float64, half the room on the right and on the left, seen from outside
-    faces         (n,) uint32, a face that holds the point, as passed to Surface
-    barycentrics  (n, 3) float64, weights of the face's vertices in the caller's order; sum 1
-    """
-
-    arc_lengths: NDArray[np.float64]
-    normals: NDArray[np.float64]
-    tangents: NDArray[np.float64]
-    radii: NDArray[np.float64]
-    faces: NDArray[np.uint32]
-    barycentrics: NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class Gaps:
-    """Places that a curve leaves empty, the largest first.
-
-    positions  (n, 3) float64, on the surface
-    radii      (n,) float64, distance from each position to the curve, in the surface's units
-    sizes      (n,) float64, the same in units of the local r: 1 between well spaced strands
-    faces      (n,) uint32, the face of each position, as passed to Surface
-    narrow     (n,) bool, where the surface is narrower than a spacing: a line and its way back have
-               no room there
-    empty_share    of the surface's area: what is farther than 1.6 local r from the curve, without
-    narrow_share   the same where the surface is narrower than a spacing
-    """
-
-    positions: NDArray[np.float64]
-    radii: NDArray[np.float64]
-    sizes: NDArray[np.float64]
-    faces: NDArray[np.uint32]
-    narrow: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=np.bool_))
-    empty_share: float = 0.0
-    narrow_share: float = 0.0
-
-    def __len__(self) -> int:
-        return len(self.sizes)
-
-
-# ------------------------------------------------------------------------------------------------
-# Flow
 
 
 class Flow(Handle):
