@@ -26,8 +26,15 @@ class Square:
         self.mesh.write_text(SQUARE)
 
     def fill(self, *options: object) -> int:
-        given = ["--input", self.mesh, "--output", self.output, "--report", self.report]
-        given += ["--iterations", 2, "--quiet", *options]
+        return self._run("--iterations", 2, "--quiet", *options)
+
+    def told(self, *options: object) -> str:
+        """What is said of a run that ends well."""
+        assert self._run(*options) == 0
+        return self._capsys.readouterr().out
+
+    def _run(self, *options: object) -> int:
+        given = ["--input", self.mesh, "--output", self.output, "--report", self.report, *options]
         return batch.main([str(item) for item in given])
 
     def refusal(self, *options: object) -> str:
@@ -148,29 +155,24 @@ def test_of_this_machine() -> None:
 
 
 def test_a_large_run_says_what_it_comes_to_and_what_it_is_about(
-    square: Square, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
+    square: Square, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """From before its first iteration to its file; a small one says none of it."""
-    assert square.fill("--spacing", 0.1) == 0
-    said = capsys.readouterr().out
-    assert "about" not in said and "measuring" not in said and "writing" not in said
+    said = square.told("--spacing", 0.1, "--iterations", 2)
+    begun = [f"meander: {what}" for what in ("about ", "measuring", "looking", "writing", "wrote")]
+    assert [what in said for what in begun] == [False, False, False, False, True]
     for module in (command, writing):
-        monkeypatch.setattr(module, "LARGE", 100)
-    assert square.fill("--spacing", 0.1) == 0
-    said = capsys.readouterr().out
-    begun = ("about ", "measuring", "writing", "wrote")
-    places = [said.index(f"meander: {what}") for what in begun]
+        monkeypatch.setattr(module, "LARGE", 10)
+    said = square.told("--spacing", 0.1, "--iterations", 2)
+    places = [said.index(what) for what in begun]
     assert places == sorted(places)
     assert " nodes, " in said and " of a processor\n" in said
 
 
-def test_the_phase_of_a_run_is_said(
-    square: Square, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
-) -> None:
+def test_the_phase_of_a_run_is_said(square: Square, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(watching, "_FIRST_SECONDS", 0.0)
     monkeypatch.setattr(watching, "_PROGRESS_SECONDS", 0.0)
-    assert square.fill("--spacing", 0.03) == 0
-    said = capsys.readouterr().out
+    said = square.told("--spacing", 0.03, "--iterations", 30)
     phases = "preparing|growing|removing hairpins|evening out"
     found = re.findall(rf"^meander: ({phases}), (\d+)% after [\d.]+ s$", said, re.MULTILINE)
     assert found

@@ -125,6 +125,8 @@ def _filled(
                 if following is not None:
                     arguments.spacing = following
                     return None
+            if opened.cost.nodes > LARGE:
+                place.say("meander: looking for gaps")
             gaps = flow.gaps()
             record = report.build_report(
                 core.library_version(),
