@@ -217,12 +217,20 @@ class MeanderSettings(
     )
     made_material: PointerProperty(
         type=bpy.types.Material,
-        name="Material of the Surface",
+        name="Surface Material",
         description="The material of images that Make Material has made of this curve",
         options=set(),
     )
-    made_material_by: StringProperty(name="Material Made By", options=set())
-    made_by: StringProperty(name="Made By", options=set())
+    made_material_by: StringProperty(
+        name="Material Made By",
+        description="How that material was made, to make its images again",
+        options=set(),
+    )
+    made_by: StringProperty(
+        name="Made By",
+        description="How this object was made of its curve, to make it again",
+        options=set(),
+    )
     keep_up: BoolProperty(
         name="Follow Curve",
         description=(
