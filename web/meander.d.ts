@@ -292,10 +292,43 @@ export class Flow extends Handle {
   gaps(leastSize?: number): Gaps;
 }
 
+/** A mesh that has a curve among its edges; see meander_cut. */
+export interface CutSurface {
+  positions: Float64Array;
+  /** From the curve, along the surface. */
+  distances: Float64Array;
+  vertexFaces: Uint32Array;
+  vertexWeights: Float64Array;
+  faces: Uint32Array;
+  /** For each face, of which face of the surface it is a part. */
+  origins: Uint32Array;
+  strands: Uint32Array;
+  /** Faces of one number can be reached from one another without crossing the curve. */
+  regions: Uint32Array;
+  /** 1 or -1: other on the two sides of the curve where that can be, or else as nearestSides. */
+  sides: Int32Array;
+  nearestSides: Int32Array;
+  along: Float64Array;
+  faceDistances: Float64Array;
+  cornerWeights: Float64Array;
+  /** The curve, as vertices of the mesh. */
+  lineVertices: Uint32Array;
+  arcLengths: Float64Array;
+  offsets: Uint32Array;
+  lineStrands: Uint32Array;
+  closed: Uint8Array;
+  lengths: Float64Array;
+}
+
+/** A mesh of the shape of a flow's surface, cut along the flow's present curve, with edges of about `detail`. */
+export function cutSurface(flow: Flow, detail?: number, middleLines?: boolean): CutSurface;
+
 /** What fill() is asked for; also the options of FlowOptions but `preset` and `radius`. */
 export interface Wish extends Omit<FlowOptions, "preset" | "radius"> {
   positions: Numbers;
   faces: Numbers;
+  /** Of which polygon each face is a part, as readMesh has it. */
+  polygons?: Numbers | null;
   /** Between neighbouring strands; left out: the automatic one. */
   spacing?: number;
   quality?: Preset;

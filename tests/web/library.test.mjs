@@ -43,8 +43,8 @@ test("fills a mesh without crossings, on its surface, within the spacing", () =>
 
 test("a server sends no more than 450 KB of the module, and 700 of the page", () => {
   const sent = (name) => brotliCompressSync(fs.readFileSync(new URL(`../../build/web/${name}`, import.meta.url))).length;
-  assert.ok(sent("meander.mjs") <= 450 * 1024);
-  assert.ok(sent("index.html") <= 700 * 1024);
+  assert.ok(sent("meander.mjs") <= 450000);
+  assert.ok(sent("index.html") <= 700000);
 });
 
 test("every struct lies where the library has it", () => {
@@ -122,6 +122,24 @@ test("a flow is stepped, watched, stopped and asked for other things", () => {
   surface.close();
 });
 
+test("a surface is cut along its line, which parts it", () => {
+  const surface = new Surface(SHEET.positions, SHEET.faces);
+  const flow = new Flow(surface, { preset: "even", radius: 0.1 });
+  flow.run();
+  const cut = meander.cutSurface(flow);
+  const { positions, closed } = flow.polylines();
+  assert.equal(cut.lineVertices.length, positions.length / 3);
+  assert.deepEqual([...cut.closed], [...closed]);
+  cut.lineVertices.forEach((vertex, i) => {
+    for (let k = 0; k < 3; ++k) assert.equal(cut.positions[3 * vertex + k], positions[3 * i + k]);
+    assert.equal(cut.distances[vertex], 0);
+  });
+  assert.equal(cut.sides.length, cut.faces.length / 3);
+  assert.deepEqual([...new Set(cut.sides)].sort(), [-1, 1]);
+  assert.ok(meander.cutSurface(flow, 0.05, true).faces.length > cut.faces.length);
+  refused(() => meander.cutSurface(flow, -1), /detail/);
+});
+
 test("seeds, guides, densities and directions are taken", () => {
   const strokes = { points: [0.1, 0.1, 0, 0.9, 0.1, 0, 0.1, 0.5, 0, 0.9, 0.5, 0], offsets: [0, 2, 4], guides: [0, 1] };
   const drawn = fill({ ...SHEET, spacing: 0.1, seed: { ...strokes, loops: true }, iterationLimit: 10 });
@@ -187,6 +205,7 @@ test("reads OBJ, PLY and STL", () => {
   const obj = meander.readMesh(bytes("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"), "a.OBJ");
   assert.equal(obj.faces.length, 6);
   assert.deepEqual([...obj.polygons], [0, 0]);
+  assert.ok(fill({ ...obj, spacing: 0.2 }).statistics.length > 1); // what is read can be filled as it is
   const head = (format) => `ply\nformat ${format} 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n`;
   const text = meander.readMesh(bytes(`${head("ascii")}0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n`), "a.ply");
   assert.deepEqual([...text.faces], [0, 1, 2]);

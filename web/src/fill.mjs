@@ -52,7 +52,7 @@ export function safeRepairs(positions, spacing) {
 /** Fills a mesh with a curve, and gives the curve. */
 export function fill(wish) {
   const {
-    positions, faces, spacing, quality = "even", repairs, seed = null, density = null, directions = null,
+    positions, faces, polygons = null, spacing, quality = "even", repairs, seed = null, density = null, directions = null,
     alignment = "along", each = null, ...options
   } = wish;
   if (spacing !== undefined && !(Number.isFinite(spacing) && spacing > 0)) {
@@ -61,7 +61,8 @@ export function fill(wish) {
   const vertices = checkedArray("positions", positions, Float64Array, 3);
   const corners = checkedArray("faces", faces, Uint32Array, 3);
   const wanted = spacing ?? automaticSpacing(vertices, corners);
-  const surface = new Surface(vertices, corners, repairs === undefined ? safeRepairs(vertices, wanted) : repairs);
+  const mended = repairs === undefined ? safeRepairs(vertices, wanted) : repairs;
+  const surface = new Surface(vertices, corners, polygons === null ? mended : { ...mended, polygons });
   let flow = null;
   try {
     flow = new Flow(surface, { preset: quality, ...options, radius: wanted / 2 }, seed, density);
