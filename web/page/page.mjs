@@ -3,9 +3,9 @@
 // The page: its controls, and what the worker says.
 import { glbOf, objOf, plyOf, svgOf } from "./save.mjs";
 import { readGlb } from "./glb.mjs";
+import { Library } from "./library.mjs";
+import { Pen } from "./pen.mjs";
 import { View } from "./view.mjs";
-
-const MOST_BYTES = 250e6; // of a file: its text and its numbers are in memory together
 
 const of = (id) => document.getElementById(id);
 const controls = Object.fromEntries(
@@ -20,16 +20,12 @@ const digits = (number, of = 3) => String(Number(number.toPrecision(of)));
 /** What a test, and nothing else, looks at. */
 const state = document.body.dataset;
 
-let view = null;
-let mesh = null; // name, suffix, area, diagonal
+let [view, pen, library] = [null, null, null];
+let mesh = null; // name, stem, suffix, area, positions, faces, polygons, and what Example says of it
 let line = null; // the latest, of the present run
-let strokes = [];
-let wish = 0; // the latest; what the worker says of others is late
-let drawing = null;
-
-const source = new Blob([of("worker").textContent], { type: "text/javascript" });
-const worker = new Worker(URL.createObjectURL(source));
-const ask = (message, transfer = []) => worker.postMessage({ ...message, id: wish }, transfer);
+let number = 0; // of the latest question to the worker
+let wish = 0; // the number of the present run; what is said of others is late
+let reading = null; // the number and the name of a file that is being read, and whether settings have changed
 
 // ---- What the settings say --------------------------------------------------------------------------------------
 
@@ -52,7 +48,7 @@ function command() {
   const rows = controls.rows.value;
   if (rows) words.push("--quality", "rows", "--direction", rows);
   else words.push("--quality", controls.quality.value);
-  if (strokes.length) words.push("--seed", `${mesh.stem}_seed.obj`);
+  if (pen.strokes.length) words.push("--seed", `${mesh.stem}_seed.obj`);
   words.push("--output", `${mesh.stem}_line.obj`);
   return words.map((word) => (/^[\w.\/+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`)).join(" ");
 }
@@ -67,31 +63,46 @@ function describe() {
 
 // ---- Running ----------------------------------------------------------------------------------------------------
 
+const hasLine = () => line !== null && line.positions.length > 0;
+
 function setRunning(what) {
-  state.run = what; // loading, running, paused, done, nothing
+  state.run = what; // running, paused, done, nothing
   const going = what === "running" || what === "paused";
-  of("pause").disabled = of("stop").disabled = !going;
-  of("again").disabled = !mesh || what === "loading";
+  of("pause").disabled = !going;
+  of("stop").disabled = !going && !reading;
+  of("again").disabled = !mesh;
   says("pause", what === "paused" ? "Go on" : "Pause");
-  of("pause").setAttribute("aria-pressed", String(what === "paused"));
   for (const button of document.querySelectorAll(".save")) {
     const { kind } = button.dataset;
-    button.disabled = kind === "mesh" ? !mesh : kind === "seed" ? strokes.length === 0 : !line;
+    button.disabled = kind === "mesh" ? !mesh : kind === "seed" ? pen.strokes.length === 0 : !hasLine();
   }
+  of("clear").disabled = pen.strokes.length === 0;
 }
 
 function fill() {
   if (!mesh) return;
-  ++wish;
-  line = null;
-  state.pictures = "0";
-  view.setLine(null);
   describe();
   look();
+  if (reading) {
+    reading.changed = true;
+    return;
+  }
+  wish = ++number;
+  line = null;
+  state.pictures = "0";
+  delete state.sides;
+  view.setLine(null);
   says("problem", "");
   says("status", "Begins …");
+  says("left", "");
   of("progress").value = 0;
-  ask({ kind: "fill", spacing: spacing(), quality: controls.quality.value, rows: controls.rows.value, strokes });
+  const { positions, offsets, closed } = pen.seed();
+  const seed = { positions, offsets, closed };
+  const asked = { kind: "fill", id: wish, spacing: spacing(), quality: controls.quality.value, rows: controls.rows.value, seed };
+  library.end(asked, () => {
+    if (state.run === "paused") setRunning("running"); // who was told to pause is gone
+    return true;
+  });
   setRunning("running");
 }
 
@@ -103,43 +114,83 @@ function fillSoon() {
   delay = setTimeout(fill, 150);
 }
 
-function load(message, name, transfer = []) {
+function lengthOf({ positions, offsets, closed }) {
+  const far = (i, j) => Math.hypot(...[0, 1, 2].map((k) => positions[3 * i + k] - positions[3 * j + k]));
+  let length = 0;
+  for (let s = 0; s < closed.length; ++s) {
+    for (let i = offsets[s] + 1; i < offsets[s + 1]; ++i) length += far(i - 1, i);
+    if (closed[s]) length += far(offsets[s + 1] - 1, offsets[s]);
+  }
+  return length;
+}
+
+/** The run is lost with its worker, and its line is kept. */
+function kept() {
+  wish = ++number;
+  says("status", hasLine() ? `Stopped: ${digits(lengthOf(line))} long.` : "Stopped before there was a line.");
+  says("left", "");
+  setRunning("done");
+}
+
+function stop() {
   clearTimeout(delay);
-  ++wish;
-  strokes = [];
-  showStrokes();
+  if (reading) {
+    library.replace();
+    notRead(`Stopped reading ${reading.name}.`);
+  } else if (state.run === "running" || state.run === "paused") {
+    const stopped = wish;
+    library.end({ kind: "stop" }, () => {
+      if (wish === stopped) kept();
+      return false;
+    });
+  }
+}
+
+function pause() {
+  const paused = state.run === "running";
+  library.tell({ kind: "pause", paused });
+  setRunning(paused ? "paused" : "running");
+  if (paused) says("status", "Paused.");
+}
+
+// ---- Reading ----------------------------------------------------------------------------------------------------
+
+function read(name, message) {
+  clearTimeout(delay);
+  const [, stem, suffix] = /^(.*?)(?:\.(\w+))?$/.exec(name);
+  const { value } = controls.example;
+  reading = { number: ++number, name, stem, suffix: suffix?.toLowerCase(), example: value };
   says("problem", "");
   says("status", `Reads ${name} …`);
-  setRunning("loading");
-  const [, stem, suffix] = /^(.*?)(?:\.(\w+))?$/.exec(name);
-  loading = { name, stem, suffix: suffix?.toLowerCase() };
-  ask({ kind: "load", name, ...message }, transfer);
+  // A run is lost with a worker that does not hear; the worker that reads is not the one that ran.
+  const going = state.run === "running" || state.run === "paused";
+  library.end({ kind: "load", id: number, name, ...message }, () => {
+    if (going) setRunning("done");
+    return reading !== null;
+  });
+  setRunning(state.run ?? "nothing");
 }
-let loading = null;
 
 function example() {
-  controls.upright.checked = true;
-  load({ example: controls.example.value }, `${controls.example.value}.obj`);
+  read(`${controls.example.value}.obj`, { example: controls.example.value });
 }
 
-async function open(file) {
+function open(file) {
   controls.example.querySelector("[value=own]").hidden = false;
   controls.example.value = "own";
-  try {
-    if (file.size > MOST_BYTES) {
-      throw new Error(`${file.name} has ${count(file.size / 1e6)} MB, more than a tab has room for (${count(MOST_BYTES / 1e6)}); give a coarser mesh, or fill it by the command.`);
-    }
-    const bytes = await file.arrayBuffer();
-    const glb = /\.glb$/i.test(file.name);
-    controls.upright.checked = /\.(stl|ply)$/i.test(file.name);
-    if (glb) {
-      const corners = await readGlb(bytes);
-      load({ corners }, file.name, [corners.buffer]);
-    } else load({ bytes }, file.name, [bytes]);
-  } catch (problem) {
-    says("problem", problem.message);
-    state.problems = String(Number(state.problems ?? 0) + 1);
-  }
+  read(file.name, { file });
+}
+
+/** What was there before stays. */
+function notRead(status) {
+  const { changed } = reading;
+  reading = null;
+  if (mesh) controls.example.value = mesh.example;
+  if (/^(running|paused)$/.test(state.run) && library.heard === 0) kept(); // the worker that ran is gone
+  controls.file.value = ""; // the same one may be chosen again
+  says("status", status);
+  setRunning(state.run);
+  if (changed) fill();
 }
 
 /** Seconds to the end, as people say them. */
@@ -155,18 +206,31 @@ const ENDS = {
 let told = 0;
 
 const ANSWERS = {
-  mesh({ positions, faces, figures }) {
-    mesh = { ...loading, area: figures.area };
-    view.setMesh(positions, faces);
+  async glb({ bytes }) {
+    const { number, name } = reading;
+    try {
+      const corners = await readGlb(bytes.buffer);
+      if (reading?.number === number) read(name, { corners });
+    } catch (problem) {
+      if (reading?.number === number) ANSWERS.problem({ text: problem.message, id: number });
+    }
+  },
+  mesh({ positions, faces, polygons, figures, fit, places, normals }) {
+    const { name, stem, suffix, example } = reading;
+    mesh = { name, stem, suffix, example, area: figures.area, positions, faces, polygons };
+    reading = null;
+    controls.upright.checked = example !== "own" || /^(stl|ply)$/.test(suffix);
+    pen.forget();
+    view.setMesh({ places, normals, faces, fit });
     const mended = ["droppedFaces", "splitVertices", "cutEdges", "weldedEdges", "splitEdges", "openedEdges"].reduce((sum, key) => sum + figures[key], 0);
     const parts = figures.components === 1 ? "" : `, ${count(figures.components)} parts`;
-    says("facts", `${count(figures.faces)} faces${parts}${mended ? `; ${count(mended)} faults mended` : ""}`);
+    says("facts", `${name}: ${count(figures.faces)} faces${parts}${mended ? `; ${count(mended)} faults mended` : ""}`);
     state.mesh = mesh.name;
     fill();
   },
-  line({ ended, progress, spent, figures, empty, ...found }) {
+  line({ ended, progress, spent, figures, empty, drawn, ...found }) {
     line = found;
-    view.setLine(line);
+    view.setLine(drawn);
     of("progress").value = ended ? 1 : progress;
     state.points = String(line.positions.length / 3);
     state.least = String(Math.min(Number(state.least ?? Infinity), line.positions.length / 3));
@@ -177,6 +241,7 @@ const ANSWERS = {
       says("status", `${ENDS[ended]}: ${count(figures.nodes)} nodes, ${digits(figures.length)} long${share}.`);
       says("left", "");
       setRunning("done");
+      part();
       return;
     }
     // A screen reader hears it every five seconds, and not with every picture.
@@ -187,77 +252,46 @@ const ANSWERS = {
     says("left", left(progress, spent));
     setRunning(state.run === "paused" ? "paused" : "running");
   },
+  sides({ parted, ...found }) {
+    view.setSides(found);
+    if (!parted) says("status", `${of("status").textContent} Where it has one side only, the colours also meet halfway between its turns.`);
+    state.sides = state.pictures;
+  },
   obj: ({ text }) => download("mesh", text),
-  problem({ text }) {
+  problem({ text, id }) {
     says("problem", text);
-    says("status", "");
     state.problems = String(Number(state.problems ?? 0) + 1);
-    setRunning(line ? "done" : "nothing");
+    if (id === reading?.number) notRead("");
+    else {
+      says("status", "");
+      setRunning(hasLine() ? "done" : "nothing");
+    }
   },
 };
 
-worker.onmessage = ({ data }) => {
-  if (data.id !== wish) return;
-  ANSWERS[data.kind](data);
-};
-worker.onerror = (event) => {
-  says("problem", `The page failed (${event.message}); load it again.`);
-  setRunning("nothing");
-};
+/** Asks for the two sides of a line that is done. */
+function part() {
+  if (controls.colours.value === "sides" && state.run === "done" && hasLine() && state.sides !== state.pictures) {
+    library.tell({ kind: "sides", id: wish });
+  }
+}
 
-const stop = () => ask({ kind: "stop" });
-function pause() {
-  const paused = state.run === "running";
-  ask({ kind: "pause", paused });
-  setRunning(paused ? "paused" : "running");
-  if (paused) says("status", "Paused");
+function answer(said) {
+  if (said.id === (reading?.number ?? wish) || said.id === wish) ANSWERS[said.kind](said);
+}
+
+function failed(problem) {
+  says("problem", `The page failed (${problem}); load it again.`);
+  setRunning("nothing");
 }
 
 // ---- A seed that is drawn ---------------------------------------------------------------------------------------
 
-function showStrokes() {
-  of("clear").disabled = strokes.length === 0;
-  const [positions, normals, offsets, closed] = [[], [], [0], []];
-  for (const stroke of [...strokes, ...(drawing ? [drawing] : [])]) {
-    positions.push(...stroke.points);
-    normals.push(...stroke.normals);
-    offsets.push(positions.length / 3);
-    closed.push(stroke.closed ? 1 : 0);
-  }
-  view?.setStrokes(offsets.length > 1 ? { positions, normals, offsets, closed } : null);
-}
+const HINT = of("hint").textContent;
 
-function setDrawing(on) {
+function setDrawing(on, byKeys) {
   of("draw").setAttribute("aria-pressed", String(on));
-  view.canvas.classList.toggle("drawing", on);
-  view.controls.enabled = !on;
-  says("hint", on ? "Draw on the surface; a stroke that comes back to its beginning is closed." : "Drag to turn, scroll to zoom. Drop a mesh to fill it.");
-}
-
-const isDrawing = () => of("draw").getAttribute("aria-pressed") === "true";
-
-function drawTo(event) {
-  const hit = view.placeAt(event);
-  if (!hit) return;
-  const { points } = drawing;
-  const far = points.length === 0 || Math.hypot(...hit.point.map((x, k) => x - points[points.length - 3 + k])) > spacing() / 3;
-  if (!far) return;
-  points.push(...hit.point);
-  drawing.normals.push(...hit.normal);
-  showStrokes();
-}
-
-function endStroke() {
-  const stroke = drawing;
-  drawing = null;
-  const n = stroke.points.length / 3;
-  if (n >= 2) {
-    const gap = Math.hypot(...[0, 1, 2].map((k) => stroke.points[k] - stroke.points[3 * n - 3 + k]));
-    stroke.closed = n >= 6 && gap < 1.5 * spacing();
-    strokes.push(stroke);
-    fill();
-  }
-  showStrokes();
+  pen.setOn(on, byKeys);
 }
 
 // ---- Saving -----------------------------------------------------------------------------------------------------
@@ -270,13 +304,7 @@ const AXES = {
 async function contents(kind) {
   const upright = controls.upright.checked;
   if (kind === "obj") return objOf(line);
-  if (kind === "seed") {
-    return objOf({
-      positions: strokes.flatMap(({ points }) => points),
-      offsets: strokes.reduce((ends, { points }) => [...ends, ends[ends.length - 1] + points.length / 3], [0]),
-      closed: strokes.map((stroke) => stroke.closed),
-    });
-  }
+  if (kind === "seed") return objOf(pen.seed());
   if (kind === "ply") return plyOf(line);
   if (kind === "glb") return glbOf(line, radiusOfTube(), upright);
   if (kind === "png") return view.picture();
@@ -288,7 +316,7 @@ async function contents(kind) {
 const ENDINGS = { mesh: ".obj", seed: "_seed.obj" };
 
 async function save(kind) {
-  if (kind === "mesh") ask({ kind: "obj" }); // the worker has it in all its digits
+  if (kind === "mesh") library.tell({ kind: "obj", id: wish }); // the worker has it in all its digits
   else download(kind, await contents(kind));
 }
 
@@ -310,13 +338,13 @@ function listen() {
   controls.across.oninput = fillSoon;
   controls.quality.onchange = controls.rows.onchange = fillSoon;
   for (const id of ["thickness", "colours", "surface", "upright"]) controls[id].oninput = look;
+  controls.colours.onchange = part;
   of("pause").onclick = pause;
   of("stop").onclick = stop;
   of("again").onclick = fill;
-  of("draw").onclick = () => setDrawing(!isDrawing());
+  of("draw").onclick = (event) => setDrawing(!pen.on, event.detail === 0); // no click, but a key
   of("clear").onclick = () => {
-    strokes = [];
-    showStrokes();
+    pen.forget();
     fill();
   };
   for (const button of document.querySelectorAll(".save")) button.onclick = () => save(button.dataset.kind);
@@ -328,18 +356,11 @@ function listen() {
   of("panel").onsubmit = (event) => event.preventDefault();
   document.addEventListener("keydown", (event) => {
     if (event.key !== "Escape") return;
-    if (isDrawing()) setDrawing(false);
-    else stop();
+    if (!pen.on) return stop();
+    setDrawing(false);
+    if (document.activeElement === view.canvas) of("draw").focus();
   });
-  const { canvas } = view;
-  canvas.addEventListener("pointerdown", (event) => {
-    if (!isDrawing() || !mesh || event.button !== 0) return;
-    canvas.setPointerCapture(event.pointerId);
-    drawing = { points: [], normals: [], closed: false };
-    drawTo(event);
-  });
-  canvas.addEventListener("pointermove", (event) => drawing && drawTo(event));
-  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => drawing && endStroke());
+  view.canvas.addEventListener("keydown", (event) => pen.key(event) || view.key(event));
   for (const over of ["dragenter", "dragover"]) {
     document.addEventListener(over, (event) => {
       event.preventDefault();
@@ -358,8 +379,14 @@ function listen() {
 
 try {
   view = new View(of("canvas"));
+  pen = new Pen(view, of("pen"), {
+    spacing,
+    changed: fill,
+    say: (words) => says("status", words),
+    hint: (words) => says("hint", words ?? HINT),
+  });
+  library = new Library(of("worker").textContent, { answer, failed, mesh: () => mesh });
   listen();
-  setRunning("loading");
   example();
 } catch (problem) {
   says("problem", `This page draws by WebGL 2, which this browser does not give (${problem.message}).`);

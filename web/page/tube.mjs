@@ -76,30 +76,8 @@ export function newTube(colour) {
   return mesh;
 }
 
-/** Gives a tube the points of a line, moved by -centre and scaled. */
-export function shape(tube, { positions, normals, offsets, closed }, centre, scale) {
-  const strands = offsets.length - 1;
-  const total = positions.length / 3 + 3 * strands;
-  const [points, ups] = [new Float32Array(4 * total), new Float32Array(4 * total)];
-  let at = 0;
-  const put = (i, piece, share) => {
-    for (let axis = 0; axis < 3; ++axis) {
-      points[4 * at + axis] = (positions[3 * i + axis] - centre[axis]) * scale;
-      ups[4 * at + axis] = normals ? normals[3 * i + axis] : 0;
-    }
-    points[4 * at + 3] = piece;
-    ups[4 * at + 3] = share;
-    ++at;
-  };
-  for (let s = 0; s < strands; ++s) {
-    const [first, end] = [offsets[s], offsets[s + 1]];
-    const last = end - 1;
-    if (end - first < 2) continue;
-    put(closed[s] ? last : first, 0, 0);
-    for (let i = first; i < end; ++i) put(i, closed[s] || i < last ? 1 : 0, (i - first) / (end - first));
-    put(closed[s] ? first : last, 0, 1);
-    if (closed[s]) put(first + 1, 0, 1);
-  }
+/** Gives a tube the instances of a line. */
+export function shape(tube, { points, ups, pieces }) {
   const { geometry } = tube;
   const buffers = [points, ups].map((array) => new InstancedInterleavedBuffer(array, 4));
   const name = (key, buffer, behind) => geometry.setAttribute(key, new InterleavedBufferAttribute(buffers[buffer], 4, 4 * behind));
@@ -110,7 +88,7 @@ export function shape(tube, { positions, normals, offsets, closed }, centre, sca
   name("after", 0, 3);
   name("upHere", 1, 1);
   name("upThere", 1, 2);
-  geometry.instanceCount = Math.max(0, at - 3);
+  geometry.instanceCount = pieces;
 }
 
 /** The tube as triangles: positions, normals and indices, in the units of the line. */
@@ -154,12 +132,12 @@ export function triangles({ positions, normals, offsets, closed }, radius) {
   return { places, facings, index: Uint32Array.from(index) };
 }
 
-/** The surface below the line. */
-export function newSurface(colour) {
+/** The surface below the line; where its geometry has tones, those above a half have the other colour. */
+export function newSurface(colour, other) {
   const material = new ShaderMaterial({
-    uniforms: { colour: { value: colour } },
-    vertexShader: "varying vec3 facing; void main() { facing = normalMatrix * normal; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
-    fragmentShader: `uniform vec3 colour; varying vec3 facing; ${LIGHT} void main() { gl_FragColor = vec4(lit(colour, gl_FrontFacing ? facing : -facing), 1.0); }`,
+    uniforms: { colour: { value: colour }, other: { value: other } },
+    vertexShader: "attribute float tone; varying float toned; varying vec3 facing; void main() { toned = tone; facing = normalMatrix * normal; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
+    fragmentShader: `uniform vec3 colour, other; varying float toned; varying vec3 facing; ${LIGHT} void main() { gl_FragColor = vec4(lit(toned > 0.5 ? other : colour, gl_FrontFacing ? facing : -facing), 1.0); }`,
     side: DoubleSide,
     polygonOffset: true,
     polygonOffsetFactor: 1,

@@ -3,12 +3,14 @@
 // What is seen: the surface, its line, and strokes that are drawn; a picture only when something has changed.
 import { BufferAttribute, Color, ColorManagement, Group, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { instancesOf } from "./instances.mjs";
 import { newSurface, newTube, shape } from "./tube.mjs";
 
 const COLOURS = {
   clay: { surface: "#e3d9cb", line: "#b8401c" },
   ink: { surface: "#f7f5f0", line: "#34363f" },
   rainbow: { surface: "#4a4d57", line: "#b8401c" },
+  sides: { surface: "#f0e4d2", line: "#b8401c" }, // until the line is done, and of the two sides after that
 };
 // The shaders compute with colours as they are seen.
 ColorManagement.enabled = false;
@@ -25,16 +27,17 @@ export class View {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => this.draw());
     this.body = new Group();
-    this.surface = newSurface(new Color());
+    this.surface = newSurface(new Color(), new Color());
+    this.sides = newSurface(new Color(), new Color());
+    this.sides.visible = false;
     this.line = newTube(new Color());
     this.strokes = newTube(new Color("#2f6fd0"));
-    this.body.add(this.surface, this.line, this.strokes);
+    this.body.add(this.surface, this.sides, this.line, this.strokes);
     this.scene.add(this.body);
-    this.centre = [0, 0, 0];
-    this.scale = 1;
+    this.fit = { centre: [0, 0, 0], scale: 1 };
+    this.look = null;
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.resize();
-    canvas.addEventListener("keydown", (event) => this.key(event));
   }
 
   resize() {
@@ -73,60 +76,70 @@ export class View {
     this.draw();
   }
 
-  /** Another surface, fitted to the picture. */
-  setMesh(positions, faces) {
-    const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
-    for (const corner of faces) {
-      for (let axis = 0; axis < 3; ++axis) {
-        low[axis] = Math.min(low[axis], positions[3 * corner + axis]);
-        high[axis] = Math.max(high[axis], positions[3 * corner + axis]);
-      }
-    }
-    this.centre = low.map((x, axis) => (x + high[axis]) / 2);
-    this.scale = 2 / Math.hypot(...low.map((x, axis) => high[axis] - x));
-    const fitted = positions.map((x, i) => (x - this.centre[i % 3]) * this.scale);
-    const { geometry } = this.surface;
-    geometry.dispose();
-    geometry.setAttribute("position", new BufferAttribute(fitted, 3));
-    geometry.setIndex(new BufferAttribute(faces, 1));
-    geometry.deleteAttribute("normal");
-    geometry.computeVertexNormals();
-    geometry.computeBoundingSphere();
-    geometry.computeBoundingBox();
+  /** Another surface, as fit.mjs has placed it. */
+  setMesh({ places, normals, faces, fit }) {
+    this.fit = fit;
+    this.#give(this.surface, { position: [places, 3], normal: [normals, 3] }, faces);
     this.setLine(null);
     this.setStrokes(null);
   }
 
-  setLine(line) {
-    if (line) shape(this.line, line, this.centre, this.scale);
-    this.line.visible = line !== null;
-    this.draw();
+  #give(surface, attributes, faces) {
+    const { geometry } = surface;
+    geometry.dispose();
+    for (const [name, [array, width]] of Object.entries(attributes)) geometry.setAttribute(name, new BufferAttribute(array, width));
+    geometry.setIndex(faces && new BufferAttribute(faces, 1));
+    geometry.computeBoundingSphere();
+    geometry.computeBoundingBox();
+  }
+
+  /** A line as instances.mjs has it; null: none. */
+  setLine(drawn) {
+    if (drawn) shape(this.line, drawn);
+    this.hasLine = drawn !== null;
+    this.hasSides = false;
+    this.#show();
+  }
+
+  /** The surface in two colours, in place of the line between them. */
+  setSides({ places, normals, tones }) {
+    this.#give(this.sides, { position: [places, 3], normal: [normals, 3], tone: [tones, 1] }, null);
+    this.hasSides = true;
+    this.#show();
   }
 
   setStrokes(strokes) {
-    if (strokes) shape(this.strokes, strokes, this.centre, this.scale);
+    if (strokes) shape(this.strokes, instancesOf(strokes, this.fit));
     this.strokes.visible = strokes !== null;
     this.draw();
   }
 
   /** `radius` of the tube in the units of the mesh. */
   setLook({ colours, radius, surface, upright }) {
+    this.look = { colours, surface };
     this.line.material.uniforms.colour.value.set(COLOURS[colours].line);
     this.line.material.uniforms.rainbow.value = colours === "rainbow" ? 1 : 0;
-    this.surface.material.uniforms.colour.value.set(COLOURS[colours].surface);
-    for (const tube of [this.line, this.strokes]) tube.material.uniforms.radius.value = radius * this.scale;
-    this.surface.visible = surface;
+    for (const { material } of [this.surface, this.sides]) {
+      material.uniforms.colour.value.set(COLOURS[colours].surface);
+      material.uniforms.other.value.set(COLOURS[colours].line);
+    }
+    for (const tube of [this.line, this.strokes]) tube.material.uniforms.radius.value = radius * this.fit.scale;
     this.body.rotation.x = upright ? -Math.PI / 2 : 0;
+    this.#show();
+  }
+
+  #show() {
+    const parted = this.hasSides && this.look.colours === "sides";
+    this.sides.visible = parted;
+    this.line.visible = this.hasLine && !parted;
+    this.surface.visible = !parted && Boolean(this.look?.surface);
     this.draw();
   }
 
-  /** The place on the surface below the pointer, in the units of the mesh; null: there is none. */
-  placeAt(event) {
-    const box = this.canvas.getBoundingClientRect();
-    const pointer = new Vector2(
-      (2 * (event.clientX - box.left)) / box.width - 1,
-      1 - (2 * (event.clientY - box.top)) / box.height,
-    );
+  /** The place on the surface at a place of the picture, in the units of the mesh; null: there is none. */
+  placeAt([x, y]) {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const pointer = new Vector2((2 * x) / width - 1, 1 - (2 * y) / height);
     const ray = new Raycaster();
     ray.setFromCamera(pointer, this.camera);
     const hit = ray.intersectObject(this.surface, false)[0];
@@ -134,7 +147,7 @@ export class View {
     const normal = hit.face.normal;
     const place = this.body.worldToLocal(hit.point.clone());
     return {
-      point: place.toArray().map((x, axis) => x / this.scale + this.centre[axis]),
+      point: place.toArray().map((x, axis) => x / this.fit.scale + this.fit.centre[axis]),
       normal: normal.toArray(),
     };
   }

@@ -2,6 +2,10 @@
 //
 // The library behind the page: reads meshes, and runs one flow at a time, a step between two messages.
 import { EXAMPLES } from "./examples.mjs";
+import { fitOf, isParted, normalsOf, placed, sidesOf } from "./fit.mjs";
+import { instancesOf } from "./instances.mjs";
+import { MOST_FACES, tooLarge, tooManyFaces } from "./room.mjs";
+import { cutSurface } from "../src/cut.mjs";
 import { automaticSpacing, safeRepairs } from "../src/fill.mjs";
 import { joined, readMesh } from "../src/files.mjs";
 import { Flow } from "../src/flow.mjs";
@@ -11,14 +15,13 @@ import { estimateCost } from "../src/options.mjs";
 import { Surface } from "../src/surface.mjs";
 
 // What a tab has room for: a module has 4 GB at most, and the page draws what comes out.
-const MOST_FACES = 2e6;
 const MOST_BYTES = 2.5e9;
 const MOST_POINTS = 5e6;
 // Between two pictures of the growing line, and how many times what one takes.
 const PICTURE = 60;
 const PATIENCE = 4;
 
-let mesh = null;
+let mesh = null; // positions, faces, polygons, area, and how it is drawn: fit, normals
 let run = null; // of the latest wish: its flow, and what there is to tell
 
 const tell = (message, transfer = []) => self.postMessage(message, transfer);
@@ -32,27 +35,49 @@ function end() {
   run = null;
 }
 
-function read({ example, name, bytes, corners }) {
-  if (example) return EXAMPLES[example]();
-  if (!corners) return readMesh(new Uint8Array(bytes), name);
-  return joined(corners);
+/** The bytes of a file, once it is known to be none that is too large. */
+function bytesOf(file) {
+  const reader = new FileReaderSync();
+  const piece = (begin, end) => new Uint8Array(reader.readAsArrayBuffer(file.slice(begin, end)));
+  const sentence = tooLarge(file.name, file.size, piece);
+  if (sentence) large(sentence);
+  return piece(0, file.size);
 }
 
-/** Area, size and spacing of a mesh, and a copy of it for the page. */
-function load(message) {
-  end();
-  const found = read(message);
-  if (found.faces.length / 3 > MOST_FACES) {
-    large(`${message.name ?? "The mesh"} has ${count(found.faces.length / 3)} faces, more than a tab has room for (${count(MOST_FACES)}); give a coarser one, or fill it by the command.`);
+function read({ example, name, bytes, corners }) {
+  if (example) return EXAMPLES[example]();
+  return corners ? joined(corners) : readMesh(bytes, name);
+}
+
+/** Keeps a mesh, and says how it is drawn. */
+function keep({ positions, faces, polygons = null, area }) {
+  const fit = fitOf(positions, faces);
+  const places = placed(positions, fit);
+  mesh = { positions, faces, polygons, area, fit, normals: normalsOf(places, faces) };
+  return places;
+}
+
+// The page shows a mesh with all its faults; the library refuses what cannot be filled, with a sentence.
+const surfaceOf = ({ positions, faces, polygons }, spacing) =>
+  new Surface(positions, faces, { ...safeRepairs(positions, spacing), polygons });
+
+/** Reads a mesh. A run ends only when that has succeeded. */
+function load({ id, name, file, ...message }) {
+  const bytes = file && bytesOf(file);
+  if (/\.glb$/i.test(name) && !message.corners) {
+    tell({ kind: "glb", id, bytes }, [bytes.buffer]); // for three.js, which is on the page
+    return;
   }
+  const found = read({ name, bytes, ...message });
+  if (found.faces.length / 3 > MOST_FACES) large(tooManyFaces(name, found.faces.length / 3));
   const spacing = automaticSpacing(found.positions, found.faces);
-  // The page shows a mesh with all its faults; the library refuses what cannot be filled, with a sentence.
-  const surface = new Surface(found.positions, found.faces, safeRepairs(found.positions, spacing));
+  const surface = surfaceOf(found, spacing);
   const figures = surface.statistics();
   surface.close();
-  mesh = { ...found, area: figures.area };
-  const positions = Float32Array.from(mesh.positions);
-  tell({ kind: "mesh", id: message.id, positions, faces: mesh.faces, figures }, [positions.buffer]);
+  end();
+  const places = keep({ ...found, area: figures.area });
+  const { positions, faces, polygons, fit, normals } = mesh;
+  tell({ kind: "mesh", id, positions, faces, polygons, figures, fit, places, normals }, [places.buffer]);
 }
 
 const axisField = (axis, vertices) => {
@@ -61,9 +86,9 @@ const axisField = (axis, vertices) => {
   return field;
 };
 
-function begin({ id, spacing, quality, rows, strokes }) {
+function begin({ id, spacing, quality, rows, seed: { positions, offsets, closed } }) {
   end();
-  const surface = new Surface(mesh.positions, mesh.faces, safeRepairs(mesh.positions, spacing));
+  const surface = surfaceOf(mesh, spacing);
   try {
     const options = { preset: quality === "flowing" ? "even" : quality, radius: spacing / 2 };
     if (quality === "flowing" || rows) options.start = "full";
@@ -72,13 +97,7 @@ function begin({ id, spacing, quality, rows, strokes }) {
     if (!(cost.memory < MOST_BYTES && cost.points < MOST_POINTS)) {
       large(`The line would have about ${count(cost.points)} points and take ${count(cost.memory / 1e6)} MB, more than a tab has room for; take a larger spacing, or fill it by the command.`);
     }
-    const seed = strokes.length && {
-      points: Float64Array.from(strokes.flatMap(({ points }) => Array.from(points))),
-      offsets: strokes.reduce((ends, { points }) => [...ends, ends[ends.length - 1] + points.length / 3], [0]),
-      closed: strokes.map(({ closed }) => Number(closed)),
-      loops: true,
-      maxDistance: spacing,
-    };
+    const seed = closed.length && { points: positions, offsets, closed, loops: true, maxDistance: spacing };
     const flow = new Flow(surface, options, seed || null);
     run = { id, flow, cost, paused: false, spent: 0, shown: 0 };
     if (rows) flow.setDirections(axisField(rows, surface.vertexCount));
@@ -94,8 +113,10 @@ function picture(ended = null) {
   const began = performance.now();
   const { positions, offsets, closed } = run.flow.polylines();
   const { normals } = run.flow.pointData("normals");
+  const drawn = instancesOf({ positions, normals, offsets, closed }, mesh.fit);
   const message = {
-    kind: "line", id: run.id, positions, normals, offsets, closed, ended, progress: run.flow.progress, spent: run.spent,
+    kind: "line", id: run.id, positions, normals, offsets, closed, drawn, ended, progress: run.flow.progress,
+    spent: run.spent,
   };
   if (ended) {
     const { nodes, length } = run.flow.history().at(-1) ?? { nodes: 0, length: 0 };
@@ -103,7 +124,8 @@ function picture(ended = null) {
   }
   // Where a run is stopped, most of the surface is empty, and looking at all of it takes long.
   if (ended && ended !== "cancelled") message.empty = run.flow.gaps().emptyShare;
-  tell(message, [positions.buffer, normals.buffer, offsets.buffer, closed.buffer]);
+  const arrays = [positions, normals, offsets, closed, drawn.points, drawn.ups];
+  tell(message, arrays.map(({ buffer }) => buffer));
   run.shown = performance.now();
   run.next = run.shown + Math.max(PICTURE, PATIENCE * (run.shown - began));
 }
@@ -137,8 +159,19 @@ function finish(reason) {
   picture(reason);
 }
 
+/** The surface in two colours, once there is a line to part it. */
+function sides({ id }) {
+  if (!run?.ended) return;
+  const cut = cutSurface(run.flow);
+  const found = sidesOf(cut, mesh.fit, mesh.faces, mesh.normals);
+  tell({ kind: "sides", id, ...found, parted: isParted(cut) }, Object.values(found).map(({ buffer }) => buffer));
+}
+
 const ANSWERS = {
   load,
+  sides,
+  /** The mesh of a worker before this one, which did not hear any more. */
+  keep: (message) => void keep(message),
   fill: (message) => mesh && begin(message),
   pause({ paused }) {
     if (!run || run.ended) return;
@@ -155,13 +188,14 @@ function guarded(work, id = run?.id) {
   try {
     work();
   } catch (problem) {
-    end();
     const known = problem instanceof MeanderError;
+    if (id === run?.id || !known) end(); // a file that cannot be read leaves the run as it is
     tell({ kind: "problem", id, text: known ? problem.message : `The page failed (${problem.message}); load it again.` });
   }
 }
 
 self.onmessage = async ({ data }) => {
+  tell({ kind: "heard" });
   try {
     await ready;
   } catch (problem) {
