@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Sequence
+from pathlib import Path
 
 import geometry
 import numpy as np
 import pytest
-from meander import core
+from meander import batch, core
 from meander.model import preparation
 from meander.model.preparation import Repair
 
@@ -269,3 +271,31 @@ def test_the_polygons_of_all_faces_are_named() -> None:
     prepared = core.SurfaceOptions(drop_doubled=True, polygons=np.zeros(3, dtype=np.uint32))
     with pytest.raises(core.MeanderError, match="polygons must have one value for each"):
         core.Surface(vertices, faces, prepared)
+
+
+@pytest.mark.parametrize("own", [False, True])
+@pytest.mark.parametrize("cells", [5, 6])
+def test_symmetry_halves_what_is_left(tmp_path: Path, own: bool, cells: int) -> None:
+    """Five quads across, the plane cuts both twins of those in the middle."""
+    along = np.linspace(-0.5, 0.5, cells + 1)
+    places = [(x, y, 0.0) for x in along for y in along]
+    corners = [cells + 1, 0, 1, cells + 2]
+    front = [
+        [k * (cells + 1) + j + c for c in corners] for k in range(cells) for j in range(cells)
+    ]
+    shift = len(places) if own else 0
+    back = [[corner + shift for corner in quad[::-1]] for quad in front]
+    curves = []
+    for name, quads in (("one", front), ("two", front + back)):
+        lines = [f"v {x:.9g} {y:.9g} {z:g}" for x, y, z in places * 2]
+        lines += [f"f {' '.join(str(corner + 1) for corner in quad)}" for quad in quads]
+        mesh, output = tmp_path / f"{name}.obj", tmp_path / f"{name}_curve.obj"
+        mesh.write_text("\n".join(lines))
+        given = ["--input", mesh, "--output", output, "--spacing", "0.15", "--mirror", "x"]
+        report = ["--report", tmp_path / "report.json", "--quiet"]
+        assert batch.main([str(each) for each in (*given, *report)]) == 0
+        curves.append(output.read_text().partition("\nv")[2])
+    done = json.loads((tmp_path / "report.json").read_text())
+    assert done["preparation"]["doubled_faces"] == 2 * cells * cells
+    assert done["preparation"]["masked_faces"] == 0 and done["lines"]["count"] == 1
+    assert curves[0] == curves[1]

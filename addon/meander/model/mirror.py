@@ -102,15 +102,24 @@ def halved(
     with surface_of(problem) as surface:  # it names the faults of a mesh that is none
         density = evaluated(problem.density, surface, context)
         directions = evaluated(problem.directions, surface, context)
+        before = surface.statistics()
+        kept = _once(problem, surface, context) if before["doubled_faces"] else None
     mirror = _side(problem)
     images = images_of(problem, mirror)
     images.check_symmetry()
     if density is not None:
         density = images.on_both(np.asarray(density, dtype=np.float64))
     prepared = images.masks_on_both()
+    if prepared is not None and kept is not None:
+        masked = True if prepared.face_mask is None else np.asarray(prepared.face_mask, dtype=bool)
+        prepared = replace(prepared, face_mask=kept & masked)
     given = replace(problem, density=density, surface_options=prepared, mirror=None)
     with surface_of(given) as surface:
         figures = surface.statistics()
+        if kept is not None:
+            # What was left out here as a part is a double still.
+            figures |= {name: before[name] for name in ("doubled_faces", "dropped_faces")}
+            figures["masked_faces"] = before["masked_faces"]
         cost = cost_of(surface.extent(density), options, symmetric=True)
         if accept is not None:
             accept(cost)
@@ -131,6 +140,21 @@ def halved(
         surface_options=_of_half(prepared, mesh),
     )
     return Half(half, given, mirror, mesh, density, figures, fit, cost, sources, images)
+
+
+def _once(
+    problem: Problem, surface: core.Surface, context: core.Context | None
+) -> NDArray[np.bool_]:
+    """Which faces a surface has, (m,), of a mesh with doubles. A half of such a mesh is cut where
+    the plane cuts each twin, and their pieces are no doubles any more.
+
+    In the middle of a face that is there nothing is nearer than that face, and in the middle of one
+    that is not, what is in its place.
+    """
+    middles = problem.vertices[problem.faces].mean(axis=1)
+    kept = np.zeros(len(problem.faces), dtype=bool)
+    kept[surface.find_closest(middles, problem.options.threads, context).faces] = True
+    return kept
 
 
 def _refuse(problem: Problem) -> None:
