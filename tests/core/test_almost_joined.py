@@ -176,3 +176,17 @@ def test_the_command_says_it(tmp_path: Path, capsys) -> None:
     assert json.loads(report.read_text())["lines"] | {"closed": 0} == {
         "parts": 1, "small_parts": 0, "count": 1, "closed": 0, "why": None,
     }  # fmt: skip
+
+
+@pytest.mark.parametrize(("lift", "on"), [(0.0, True), (0.0005, True), (0.1, False)])
+def test_a_decal_is_said_to_lie_on_its_wall(tmp_path: Path, lift: float, on: bool) -> None:
+    """With faces of its own, in the plane of the wall, just above it, and well above it."""
+    wall, faces = geometry.grid(6)
+    other, others = geometry.grid(4, 0.5)
+    vertices = np.vstack([wall, np.asarray(other) + [0.25, 0.25, lift]])
+    mesh = geometry.mesh(vertices, np.vstack([faces, np.asarray(others) + len(wall)]))
+    given = ["--input", geometry.write_obj(tmp_path / "decal.obj", mesh), "--spacing", "0.1"]
+    files = ["--output", tmp_path / "o.obj", "--report", tmp_path / "r.json", "--quiet"]
+    assert batch.main([str(each) for each in (*given, *files)]) == 0
+    why = json.loads((tmp_path / "r.json").read_text())["lines"]["why"]
+    assert why.startswith("the mesh has 2 parts") and ("1 of them on another" in why) == on

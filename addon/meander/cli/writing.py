@@ -16,7 +16,7 @@ from ..model import last_run, report
 from ..model.files import obj
 from ..model.files.whole import naming, whole_files
 from ..model.geometry import surface_crossings, thinning
-from ..model.joining import joining_of
+from ..model.joining import joining_of, lying_on_others
 from ..model.options.input import light_of
 from ..model.toolpaths import bridges
 from . import (
@@ -143,6 +143,7 @@ def _lines(
         seeded,
         joining_of(given.problem, record["surface"]) if len(closed) > 1 else None,
         "--merge-distance",
+        lying_on_others(given.problem, record["surface"]) if len(closed) > 1 else 0,
     )
     if why and record["mirror"] is not None:
         why = record["mirror"]["why"] or why

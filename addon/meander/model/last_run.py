@@ -41,6 +41,7 @@ def why_lines(
     seeded: bool,
     joining: Joining | None = None,
     setting: str = "",
+    lying: int = 0,
 ) -> str:
     """Why a curve is not one line: "the mesh has 201 parts, 199 of them smaller than the spacing";
     empty for one line.
@@ -52,6 +53,7 @@ def why_lines(
     seeded       whether somebody gave the strands that it began with
     joining      the distance that would join the parts; None: none is so small
     setting      what sets it
+    lying        how many parts lie on others
     """
     if lines < 2:
         return ""
@@ -62,6 +64,9 @@ def why_lines(
     why = f"the mesh has {parts:,} parts"
     if small_parts:
         why = f"{why}, {small_parts:,} of them smaller than the spacing"
+    if lying:
+        on = "1 of them on another" if lying == 1 else f"{lying:,} of them on others"
+        why = f"{why}, {on}: what lies there twice is filled twice, unless it is deleted"
     if joining is None:
         return why
     fewer = "one" if joining.parts == 1 else f"{joining.parts:,}"

@@ -12,7 +12,7 @@ import numpy as np
 from .. import core
 from ..model import start, strands
 from ..model.geometry.thinning import least_spacing
-from ..model.joining import joining_of
+from ..model.joining import joining_of, lying_on_others
 from ..model.last_run import GAP_THAT_MATTERS, why_lines
 from ..model.preparation import described, mended
 from ..model.profile import radius_factors
@@ -163,6 +163,7 @@ def _line_figures(
         any(not part.guide for part in plan.parts),
         joining_of(plan.problem, figures) if count > 1 and figures else None,
         "Merge Close Vertices at",
+        lying_on_others(plan.problem, figures) if count > 1 and figures else 0,
     )
     if why:
         why = stepper.lines_why or why

@@ -15,7 +15,7 @@ def inside_out(vertices: NDArray[np.float64], faces: NDArray[np.integer]) -> NDA
     """
     if not len(faces) or faces.max() >= len(vertices) or not np.isfinite(vertices).all():
         return np.zeros(len(faces), dtype=bool)  # for the library to refuse
-    body = _bodies(faces, len(vertices))[faces[:, 0]]
+    body = bodies(faces, len(vertices))[faces[:, 0]]
     ways = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]).astype(np.int64)
     there = ways[:, 0] * len(vertices) + ways[:, 1]
     back = ways[:, 1] * len(vertices) + ways[:, 0]
@@ -31,7 +31,7 @@ def inside_out(vertices: NDArray[np.float64], faces: NDArray[np.integer]) -> NDA
     return (inward & ~is_open)[body]
 
 
-def _bodies(faces: NDArray[np.integer], count: int) -> NDArray[np.int64]:
+def bodies(faces: NDArray[np.integer], count: int) -> NDArray[np.int64]:
     """For every vertex the least one that it hangs together with."""
     labels = np.arange(count)
     while True:
