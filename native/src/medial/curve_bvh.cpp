@@ -54,7 +54,7 @@ constexpr uint32_t kWorthThreads = 128;
 
 /// Coordinates below 8 and three subtractions, squares and sums in single precision err by less than
 /// this in a distance, so a box that a ball of this much more misses is missed by the ball.
-constexpr double kSlack = 4e-6;
+constexpr double kRounding = 4e-6;
 
 struct Ball {
   Float4 x, y, z;  // centre
@@ -64,7 +64,7 @@ struct Ball {
       : x(all(static_cast<float>(at.x() + radius * b.x()))),
         y(all(static_cast<float>(at.y() + radius * b.y()))),
         z(all(static_cast<float>(at.z() + radius * b.z()))) {
-    const double r = radius + kSlack * (1 + radius);
+    const double r = radius + kRounding * (1 + radius);
     constexpr double kRoundedUp = 1 + 1e-7;  // more than half a unit in the last place
     squared = static_cast<float>(r * r * kRoundedUp);
   }
