@@ -247,6 +247,17 @@ TEST(Filled, AShortStrokeAloneHasAWayBack) {
   }
 }
 
+/// On a polygon of seventeen corners a turn laid lines end at every corner, and ends of a stroke run on over the gaps.
+TEST(Filled, AStrokeRunsThroughALongSpiral) {
+  const auto surface = std::make_shared<const Surface>(make_surface(spiral(11.6, 0.16, 0.8 * kSpacing, 200)));
+  const SeedStrands seed = seed_of({Line{{{0.16, 0.005, 0}, {0.16, 0.03, 0}}, false, false, false}}, false);
+  Flow flow(surface, &seed, {}, checked_settings(options_of(kSpacing), *surface));
+  EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+  EXPECT_LT(flow.history().size(), 300u);  // 310 where it crawls over them
+  EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+  EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+}
+
 /// Of one quad: the first curve is an outline, and what it leaves in the middle is far from no strand.
 TEST(Filled, AStripOfEightHundredByFourFromNothing) {
   const auto surface = std::make_shared<const Surface>(make_surface(strip(80, 4 * kSpacing, 1)));

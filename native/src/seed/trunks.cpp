@@ -20,7 +20,7 @@ constexpr double kLeastTail = 1.5;
 
 /// An end runs on along a line whose tip is no farther than this, in r, and no farther from straight ahead than by this
 /// cosine.
-constexpr double kAhead = 6.5, kStraightAhead = 0.5;
+constexpr double kAhead = 10, kStraightAhead = 0.5;
 
 constexpr double kWide = std::numeric_limits<double>::infinity();
 
