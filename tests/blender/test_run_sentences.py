@@ -129,7 +129,7 @@ def of_motion(said: Said) -> None:
     said.by(lambda: motion._same_faces(faces + 9, faces))
     result.meander.motion, result.meander.figures.bridges = "EVEN", "some"
     said.by(lambda: motion.follower_of(result, bpy.context.scene, depsgraph()))
-    said.by(lambda: scene_output._bake(argparse.Namespace(bake_frames=(1, 2)), result))
+    said.by(lambda: scene_output._bake(argparse.Namespace(bake_frames=(1, 2), round=None), result))
     result.meander.figures.bridges = ""
     surface.data.transform(np.diag([0.01, 0.01, 1.0, 1.0]))
     said.by(lambda: motion.follower_of(result, bpy.context.scene, depsgraph()))

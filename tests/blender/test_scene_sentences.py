@@ -9,6 +9,7 @@ import sys
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from types import SimpleNamespace
 
 import bpy
 import numpy as np
@@ -24,6 +25,7 @@ from meander.scene import (
     density,
     layouts,
     look_upgrade,
+    map_material,
     preparation,
     seeds,
     strands,
@@ -218,6 +220,9 @@ def of_results(said: Said) -> None:
     said.by(lambda: look_upgrade.add_look(result, depsgraph()))
     part = Part("Curve", core.Seed(np.eye(3)[:2] + 9.0, [0, 2], [0]), drawn=False)
     said.by(lambda: strands.check_on_surface([part], *triangles_of(grid(), depsgraph()), 0.1))
+    said.by(lambda: map_material.map_name(result))
+    linked = SimpleNamespace(name="Linked", library="a.blend")
+    said.by(lambda: map_material.give(linked, None))
     result.shape_key_add(name="Basis")
     said.by(lambda: light_curve.make_light(result, light))
 
