@@ -14,7 +14,7 @@ import pytest
 from meander import batch, core
 from meander.cli.values import BadInput
 from meander.headless import scene_output
-from meander.run import cut, estimate, live, motion
+from meander.run import cut, estimate, images, live, makers, motion
 from meander.run.plan import plan_run
 from meander.scene import points
 from meander.scene.errors import DataError
@@ -143,6 +143,19 @@ def of_cuts(said: Said) -> None:
     said.by(lambda: cut.cut_result(result, bpy.context.scene, depsgraph()))
 
 
+def of_makers(said: Said) -> None:
+    sheet = grid(cells=8)
+    sheet.meander.seed = poly_curve("Stroke", [[(-0.5, 0.0, 0.0), (0.5, 0.0, 0.0)]], False)
+    open_one = fill(sheet, 0.4)
+    values = {name: 0.1 for name in makers.MAKERS["maze"].values} | {"doors": "NONE"}
+    said.by(lambda: makers.make("maze", values, open_one, bpy.context.scene, depsgraph()))
+    places = sheet.data.uv_layers.active or sheet.data.uv_layers.new()
+    for moved in (lambda u, v: (2.0 * u, v), lambda u, v: (0.5, 0.5)):
+        for place in places.data:
+            place.uv = moved(*place.uv)
+        said.by(lambda: images.make_material(open_one, bpy.context, "GLAZE", 64))
+
+
 def of_the_command(said: Said) -> None:
     scene = said.folder / "none.blend"
     scene.write_text("no scene")
@@ -173,7 +186,7 @@ def of_points(said: Said, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_every_sentence_of_runs_comes_up(said, monkeypatch, windowed):
     of_points(said, monkeypatch)
-    for part in (of_plans, of_growing, of_live, of_motion, of_cuts, of_the_command):
+    for part in (of_plans, of_growing, of_live, of_motion, of_cuts, of_makers, of_the_command):
         bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
         part(said)
     for line in said.lines:
