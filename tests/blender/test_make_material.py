@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import scenes
 from meander.run import images
-from meander.scene import map_material
+from meander.scene import image_material
 
 SPACING, SIZE = 0.25, 128
 KINDS = ("INLAY", "GLAZE", "ENGRAVING")
@@ -28,7 +28,7 @@ def pixels_of(image: bpy.types.Image) -> np.ndarray:
 
 
 def pictures(material: bpy.types.Material) -> dict[str, np.ndarray]:
-    return {kind: pixels_of(image) for kind, image in map_material.images_in(material).items()}
+    return {kind: pixels_of(image) for kind, image in image_material.images_in(material).items()}
 
 
 def sources(material: bpy.types.Material, name: str) -> set[str]:
@@ -78,7 +78,7 @@ def test_images_are_packed_into_the_file(
     assert all(np.array_equal(after[each], before[each]) for each in after)
     spaces = {
         each: image.colorspace_settings.name
-        for each, image in map_material.images_in(bpy.data.materials[name]).items()
+        for each, image in image_material.images_in(bpy.data.materials[name]).items()
     }
     assert spaces.pop("color", "sRGB") == "sRGB" and set(spaces.values()) <= {"Non-Color"}
 
@@ -120,7 +120,7 @@ def test_images_follow_the_curve_unless_they_were_painted(result: bpy.types.Obje
         assert counts == (len(bpy.data.images), len(bpy.data.materials))
         if spacing < SPACING:
             before = after
-            image = map_material.images_in(material)["distance"]
+            image = image_material.images_in(material)["distance"]
             image.pixels[0] = 1.0 - image.pixels[0]
             before["distance"] = pixels_of(image)
             break

@@ -23,9 +23,9 @@ from meander.scene import (
     attributes,
     curve_reader,
     density,
+    image_material,
     layouts,
     look_upgrade,
-    map_material,
     preparation,
     seeds,
     strands,
@@ -220,9 +220,9 @@ def of_results(said: Said) -> None:
     said.by(lambda: look_upgrade.add_look(result, depsgraph()))
     part = Part("Curve", core.Seed(np.eye(3)[:2] + 9.0, [0, 2], [0]), drawn=False)
     said.by(lambda: strands.check_on_surface([part], *triangles_of(grid(), depsgraph()), 0.1))
-    said.by(lambda: map_material.map_name(result))
+    said.by(lambda: image_material.map_name(result))
     linked = SimpleNamespace(name="Linked", library="a.blend")
-    said.by(lambda: map_material.give(linked, None))
+    said.by(lambda: image_material.give(linked, None))
     result.shape_key_add(name="Basis")
     said.by(lambda: light_curve.make_light(result, light))
 

@@ -84,7 +84,9 @@ def seen_in_the_view() -> Iterator[float]:
     wide, high = (max(p[axis] for p in places) - min(p[axis] for p in places) for axis in (0, 2))
     path = FILES / "view.svg"
     with bpy.context.temp_override(**override):
-        bpy.ops.meander.export_toolpath(filepath=str(path), layout_as="VIEW", scale=0.1)
+        bpy.ops.meander.export_toolpath(
+            filepath=str(path), layout_as="VIEW", scale=0.1, round_turns=False
+        )
     found = paper(path)
     assert abs(found[0] - 0.6 - 100.0 * wide) < 0.1 and abs(found[1] - 0.6 - 100.0 * high) < 0.1
 

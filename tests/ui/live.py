@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import bpy
-from meander.run import live, made_again, session, suspended
+from meander.run import live, remade, session, suspended
 from meander.ui import live as live_operator
 from stage import (
     IN_VIEW,
@@ -133,7 +133,7 @@ def after_a_run() -> Iterator[float]:
     closer = splines_of(RESULT)
     yield from until(lambda: corners() != before, "the two-tone follows")
     after = corners()
-    assert made_again.is_due(bpy.data.objects[RESULT]) is False
+    assert remade.is_due(bpy.data.objects[RESULT]) is False
     for redo in (False, True, False):
         yield from undo(redo)
         yield 0.3

@@ -12,7 +12,7 @@ from pathlib import Path
 import bpy
 
 from ..model import maps
-from ..scene import look, map_material
+from ..scene import image_material, look
 from ..scene.drawn_line import digest_of_curve
 from ..scene.errors import DataError
 from ..scene.layouts import map_of
@@ -74,19 +74,19 @@ def make_material(
 ) -> tuple[bpy.types.Material, float]:
     """Gives the surface of a result a material whose images show the line, packed into the file.
 
-    kind      one of map_material.KINDS
+    kind      one of image_material.KINDS
     size      of the images, in pixels
     follows   the images are made again when the curve is another
 
     Returns it and the overlap of the UV map. Raises DataError and core.MeanderError.
     """
     surface, settings = result.meander.surface, result.meander
-    uv_map = map_material.map_name(surface)
+    uv_map = image_material.map_name(surface)
     data, found = _data_of(result, context, kind, size, uv_map, progress)
-    material = map_material.new_material(
+    material = image_material.new_material(
         f"{result.name} {kind.capitalize()}", kind, data, uv_map, found.plan.spacing
     )
-    map_material.give(surface, material)
+    image_material.give(surface, material)
     record = {"kind": kind, "size": size, "uv_map": uv_map, "follows": follows}
     settings.made_material = material
     _note(result, record, data)
@@ -107,18 +107,18 @@ def make_again(result: bpy.types.Object, context: bpy.types.Context) -> list[str
     DataError and core.MeanderError.
     """
     record, material = _record(result), result.meander.made_material
-    images = map_material.images_in(material)
+    images = image_material.images_in(material)
     painted = [
         image.name
         for kind, image in images.items()
-        if image.is_dirty or _digest(map_material.packed(image)) != record["images"].get(kind)
+        if image.is_dirty or _digest(image_material.packed(image)) != record["images"].get(kind)
     ]
     if painted:
         return painted
     data, found = _data_of(result, context, record["kind"], record["size"], record["uv_map"])
     for kind, image in images.items():
-        map_material.pack(image, data[kind])
-    map_material.tell_spacing(material, found.plan.spacing)
+        image_material.pack(image, data[kind])
+    image_material.tell_spacing(material, found.plan.spacing)
     _note(result, record, data)
     return []
 
@@ -131,7 +131,7 @@ def _data_of(
     uv_map: str,
     progress: Callable[[float], None] = lambda share: None,
 ) -> tuple[dict[str, bytes], Images]:
-    recipe = map_material.KINDS[kind]
+    recipe = image_material.KINDS[kind]
     style = maps.Style(size=size, line_width=recipe.line_width, depth=recipe.depth)
     path = Path("line.png")
     found = images_of(result, context, path, recipe.images, style, uv_map, progress)

@@ -19,7 +19,7 @@ from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
 from ..scene.linked_settings import settings_of
 from ..scene.settings import copied, surface_of
-from . import images, live, made_again
+from . import images, live, remade
 from .lasting import Activity, Memory
 
 # Of results, by their names: how often Live had changed each before an undo or a redo, and how
@@ -97,7 +97,7 @@ def _is_between(names: list[str]) -> bool:
 
 def _is_unsettled(result: bpy.types.Object) -> bool:
     """Whether something is still to follow: the curve, or what was made of it."""
-    if made_again.is_due(result) or images.is_due(result):
+    if remade.is_due(result) or images.is_due(result):
         return True
     figures = result.meander.figures
     asked = figures.asked if result.meander.live else ""

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import bpy
+import numpy as np
 
 # ------------------------------------------------------------------------------------------------
 # Interface
@@ -73,6 +74,16 @@ def keep_custom_normals(mesh: bpy.types.Mesh, angle: float | None = None) -> Non
         mesh.use_auto_smooth = True
         if angle is not None:
             mesh.auto_smooth_angle = angle
+
+
+def add_triangles(mesh: bpy.types.Mesh, faces: np.ndarray) -> None:
+    """Gives a mesh that has vertices and no face triangles (n, 3)."""
+    mesh.loops.add(faces.size)
+    mesh.loops.foreach_set("vertex_index", faces.ravel().astype(np.int32))
+    mesh.polygons.add(len(faces))
+    mesh.polygons.foreach_set("loop_start", np.arange(0, faces.size, 3, dtype=np.int32))
+    if bpy.app.version < (4, 0):  # later ones read it from where the next one starts
+        mesh.polygons.foreach_set("loop_total", np.full(len(faces), 3, dtype=np.int32))
 
 
 def make_poly(curves: bpy.types.Curves) -> None:

@@ -11,6 +11,7 @@ import numpy as np
 from ..model.files.whole import FileError
 from ..model.picture.image import Image, image_of
 from ..model.picture.line import Plan, Wishes
+from .blender_versions import add_triangles
 
 # On the sheet: how many times the spacing a place has, and along what its rows lie.
 SPACING, DIRECTION = "Picture Spacing", "Picture Direction"
@@ -63,12 +64,7 @@ def new_sheet(
     mesh.vertices.add(len(corners))
     mesh.vertices.foreach_set("co", corners.ravel())
     faces = problem.faces
-    mesh.loops.add(faces.size)
-    mesh.loops.foreach_set("vertex_index", faces.ravel().astype(np.int32))
-    mesh.polygons.add(len(faces))
-    mesh.polygons.foreach_set("loop_start", np.arange(0, faces.size, 3, dtype=np.int32))
-    if bpy.app.version < (4, 0):
-        mesh.polygons.foreach_set("loop_total", np.full(len(faces), 3, dtype=np.int32))
+    add_triangles(mesh, faces)
     mesh.update(calc_edges=True)
     spacing = plan.spacing / np.sqrt(problem.density)
     one = float(spacing.min()) / _ONE

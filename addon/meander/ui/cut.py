@@ -6,7 +6,7 @@ from __future__ import annotations
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
-from ..run import made_again, makers, session
+from ..run import makers, remade, session
 from ..run.lasting import Activity
 from ..scene.cut import take_place
 from ..scene.errors import DataError
@@ -41,7 +41,7 @@ class Cut(OnResult):
         values = {name: getattr(self, name) for name in makers.MAKERS[self.maker].values}
         depsgraph = context.evaluated_depsgraph_get()
         made, remark = makers.make(self.maker, values, result, context.scene, depsgraph)
-        made_again.note(made, result, self.maker, values)
+        remade.note(made, result, self.maker, values)
         surface = result.meander.surface
         originals = (result, surface) if self.takes_place else (result,)
         _show(context, made, originals if self.hide else ())

@@ -12,7 +12,7 @@ from typing import Any
 import bpy
 from bpy.app.handlers import persistent
 
-from ..run import estimate, lasting, made_again, motion, one_step, rounding
+from ..run import estimate, lasting, motion, one_step, remade, rounding
 from ..scene import (
     after_undo,
     bake,
@@ -57,7 +57,7 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
         look.on_output,
         rounding.on_output,
         bake.on_output,
-        made_again.on_render,
+        remade.on_render,
         motion.on_render,
     ),
     "render_complete": (motion.on_render_end,),

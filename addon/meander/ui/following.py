@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import bpy
 
-from ..run import images, made_again, one_step
+from ..run import images, one_step, remade
 from ..run.lasting import Activity, Memory, why_busy
 from ..scene.identity import Key, number_of
 
@@ -24,7 +24,7 @@ _rests: Activity[float] = Activity()
 
 def after_run(result: bpy.types.Object, context: bpy.types.Context) -> str:
     """After a run that was asked for: meshes follow at once. Returns what to warn of."""
-    warning = made_again.follow(result, context)
+    warning = remade.follow(result, context)
     order(result)
     return warning
 
@@ -35,8 +35,8 @@ def order(result: bpy.types.Object) -> None:
     Live moves a curve again and again, and is not to wait for meshes.
     """
     if bpy.app.background:
-        made_again.follow(result, bpy.context)
-        made_again.follow_with_images(result, bpy.context)
+        remade.follow(result, bpy.context)
+        remade.follow_with_images(result, bpy.context)
         return
     _outdated.setdefault(number_of(result), Key(result))
     _rests.begin(time.perf_counter())
@@ -52,11 +52,11 @@ def tick() -> float | None:
     if why_busy() is not None or rested < _REST:
         return 0.2
     results = [result for key in _outdated.values() if (result := key.find()) is not None]
-    _follow([each for each in results if made_again.is_due(each)], made_again.follow)
+    _follow([each for each in results if remade.is_due(each)], remade.follow)
     left = [each for each in results if images.is_due(each)]
     if left and rested < _REST_FOR_IMAGES:
         return 0.2
-    _follow(left, made_again.follow_with_images)
+    _follow(left, remade.follow_with_images)
     _outdated.end()
     _rests.end()
     return None

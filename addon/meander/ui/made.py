@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..run import made_again
+from ..run import remade
 from ..run.lasting import why_busy
 from ..scene.made import bring_into_view, made_from
 from ..scene.results import shown_result
@@ -94,7 +94,7 @@ class MEANDER_OT_make_again(bpy.types.Operator):
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         thing = context.active_object
-        made_again.make_again(made_from(thing), context, [thing])
+        remade.make_again(made_from(thing), context, [thing])
         self.report({"INFO"}, f"{thing.name} is of {made_from(thing).name} as it is now")
         return {"FINISHED"}
 

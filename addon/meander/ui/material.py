@@ -11,7 +11,7 @@ from bpy.props import BoolProperty, EnumProperty, IntProperty
 from ..model import maps
 from ..run.images import make_material
 from ..scene.errors import DataError
-from ..scene.map_material import map_name
+from ..scene.image_material import map_name
 from .on_result import OnOwnResult, result_of
 from .refusing import refusing, sentence_of
 

@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 import pytest
 import scenes
-from meander.run import made_again
+from meander.run import remade
 from meander.scene.look import modifier_of, set_value, value_of
 
 SPACING = 0.4
@@ -55,7 +55,7 @@ def test_what_was_made_is_made_again_when_the_curve_is_filled_again(maker: str) 
     assert made.name == "My Vase" and made.location.x == 3.0 and "Mine" in made.modifiers
     assert not made.data.materials or made.data.materials[0] == mine
     assert np.array_equal(after, fresh(maker, result))
-    assert not made_again.is_due(result)
+    assert not remade.is_due(result)
 
 
 def test_both_halves_keep_their_places_and_sides() -> None:
