@@ -108,6 +108,24 @@ TEST_P(ThreadPoolOf, TakesTheBlocksOfAThreadThatIsHeldUp) {
 
 /// Only the pool that is given the token stops, though both have the same threads, and the question is put on the
 /// caller's thread alone.
+TEST_P(ThreadPoolOf, AsksOnTheCallersThreadAlone) {
+  ThreadPool pool(GetParam());
+  const std::thread::id caller = std::this_thread::get_id();
+  int asked = 0;
+  const auto question = [&] {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    ++asked;
+    return false;
+  };
+  ThreadPool counted = pool.with(question);
+  counted.for_blocks(64, 1, [&](size_t, size_t, size_t) {
+    CancelToken poll = counted.poll(1);
+    for (int k = 0; k < 100; ++k) poll();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // so that no thread takes all blocks
+  });
+  EXPECT_GT(asked, 100);
+}
+
 TEST_P(ThreadPoolOf, StopsTheLoopsOfTheComputationThatIsCancelled) {
   ThreadPool pool(GetParam());
   const std::thread::id caller = std::this_thread::get_id();

@@ -16,6 +16,8 @@ ThreadPool ThreadPool::with(const CancelToken& cancel) const {
   return pool;
 }
 
+CancelToken ThreadPool::poll(uint32_t pieces) const { return cancel_.every(pieces); }
+
 unsigned ThreadPool::size() const { return 1; }
 
 void ThreadPool::for_blocks(size_t count, size_t grain,

@@ -42,6 +42,9 @@ class ThreadPool::Crew {
   Crew& operator=(const Crew&) = delete;
 
   unsigned size() const { return static_cast<unsigned>(workers_.size()) + 1; }
+  bool has_as_worker(std::thread::id thread) const {
+    return std::ranges::any_of(workers_, [&](const std::thread& worker) { return worker.get_id() == thread; });
+  }
   void for_blocks(size_t count, size_t grain, const std::function<void(size_t, size_t, size_t)>& body,
                   const CancelToken& cancel);
 
@@ -81,6 +84,10 @@ ThreadPool ThreadPool::with(const CancelToken& cancel) const {
   ThreadPool pool = *this;
   pool.cancel_ = cancel;
   return pool;
+}
+
+CancelToken ThreadPool::poll(uint32_t pieces) const {
+  return crew_->has_as_worker(std::this_thread::get_id()) ? CancelToken() : cancel_.every(pieces);
 }
 
 unsigned ThreadPool::size() const { return crew_->size(); }
