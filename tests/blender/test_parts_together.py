@@ -46,9 +46,9 @@ def test_a_duplicate_that_goes_on_leaves_the_points_of_the_original():
 
 def test_a_run_can_be_resumed_with_fewer_points():
     surface = sphere()
-    many = point_count(fill(surface, 0.3))
+    many = point_count(fill(surface, 0.1))
     activate(surface)
-    running = begin(surface, 0.3)
+    running = begin(surface, 0.1)
     tick_until(running, lambda: running.latest and running.latest.iterations > 0)
     running.suspend()
     surface.meander.use_light = True
