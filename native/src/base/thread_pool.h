@@ -35,8 +35,8 @@ class ThreadPool {
   /// What they have written by then stays.
   ThreadPool with(const CancelToken& cancel) const;
 
-  /// What stops the loops, for work that is no loop of the pool, or in a block that takes long. Only the caller's thread
-  /// may ask, so that what another thread of the pool gets never stops anything.
+  /// What stops the loops, for work that is no loop of the pool, or in a block that takes long. Only the caller's
+  /// thread may ask, so that what another thread of the pool gets never stops anything.
   CancelToken poll(uint32_t pieces) const;
 
   unsigned size() const;
