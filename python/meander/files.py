@@ -59,15 +59,16 @@ def write_curve(
 ) -> None:
     """Writes the curve of a flow in the format of the file's suffix.
 
-    path        .obj: v and l lines, with all digits; .csv and .json: every point with normal,
-                tangent, arc length, medial radii, and the triangle that holds it; .svg, .dxf,
-                .gcode, .nc, .ngc, .dst and .pes: drawings; .usda, .usdc, .usd and .glb: curves of a
-                scene; .xmodel, .wled.json and .pixelblaze.json: where LEDs lie; .yaml: poses
+    path        .obj: v and l lines, with all digits; .csv, .json and .npz: every point with
+                normal, tangent, arc length, medial radii, and the triangle that holds it; .svg,
+                .dxf, .gcode, .nc, .ngc, .dst and .pes: drawings; .usda, .usdc, .usd and .glb:
+                curves of a scene; .xmodel, .wled.json and .pixelblaze.json: where LEDs lie; .yaml:
+                poses
     step        points at equal arc lengths along each strand, at most this far apart; their
                 triangles are not known
     tolerance   as few points as keep the chords between them this near the curve
     frame_id    the frame of reference that a .yaml of ROS names
-    drawing     of all but .obj, .csv and .json, named as the flags of the command are: layout
+    drawing     of all but .obj, .csv, .json and .npz, named as the flags of the command are: layout
                 ("space", "top", "front", "side"), unit ("mm", "cm", "in"), scale, size, line_width,
                 feed, travel_feed, lift, layer_offset, layers, layer_height, extrusion, tool,
                 machine, power, servo_down, servo_up, relative, arcs, stitch_length,

@@ -34,6 +34,11 @@ def test_files_hold_the_curve_with_normals(tmp_path: Path) -> None:
     arc_lengths = [float(row["arc_length"]) for row in rows if row["strand"] == "0"]
     assert 0.09 < arc_lengths[1] <= 0.1
     assert np.allclose(np.diff(arc_lengths), arc_lengths[1])
+    # A name says the format of a file, here numpy's.
+    assert export(filepath=str(tmp_path / "all.npz")) == {"FINISHED"}
+    with np.load(tmp_path / "all.npz") as arrays:
+        assert np.array_equal(arrays["points"][: arrays["offsets"][1]], points)
+        assert len(arrays["faces"]) == len(arrays["points"])
 
 
 def test_mesh_has_the_attributes() -> None:

@@ -75,7 +75,7 @@ def test_bad_combinations_are_refused(square: Path, capsys: pytest.CaptureFixtur
         ("out.csv", ("--resample-step", "0"), "greater than 0"),
         ("out.csv", ("--resample-step", "1e-12"), "longer one"),
         ("out.csv", ("--round", "0.6"), "choose from 0 to 0.5"),
-        ("out.csv", ("--points", "mesh"), ".csv and .json have the same"),
+        ("out.csv", ("--points", "mesh"), ".csv, .json and .npz have the same"),
         ("out.txt", (), ".pixelblaze.json or .yaml"),
     ):
         (square.parent / name).write_text("earlier")

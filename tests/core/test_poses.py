@@ -68,6 +68,11 @@ def test_every_pose_stands_on_the_surface_and_looks_into_it(ball: Path) -> None:
     # Neighbours are in the same half, so that a robot turns the short way.
     same = table["strand"][1:] == table["strand"][:-1]
     assert ((quaternions[1:] * quaternions[:-1]).sum(axis=1)[same] > 0.0).all()
+    assert run(ball, "a.npz", *given) == 0
+    with np.load(ball.with_name("a.npz")) as arrays:
+        assert np.allclose(arrays["places"], places) and np.allclose(arrays["normals"], normals)
+        assert arrays["kinds"].tolist() == kinds.tolist()
+        assert arrays["offsets"][-1] == len(places) and len(arrays["offsets"]) == strands + 1
     assert run(ball, "a.json", *given) == 0
     record = json.loads(ball.with_name("a.json").read_text())
     assert "z into the surface" in record["frame"]

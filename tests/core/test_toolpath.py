@@ -106,6 +106,22 @@ def test_files_hold_the_strands(tmp_path):
         assert record["strands"][number]["closed"] is strand.closed
 
 
+def test_arrays_hold_the_strands_and_have_the_same_bytes_again(tmp_path):
+    strands = toolpath.resampled(toolpath.strands_of(_polylines()), step=0.1)
+    for name in ("one.npz", "two.npz"):
+        toolpath.write(tmp_path / name, strands, "1")
+    assert (tmp_path / "one.npz").read_bytes() == (tmp_path / "two.npz").read_bytes()
+    with np.load(tmp_path / "one.npz", allow_pickle=False) as arrays:
+        offsets = arrays["offsets"]
+        assert len(offsets) == len(strands) + 1 and str(arrays["version"]) == "1"
+        assert "faces" not in arrays and "radii" not in arrays  # a step makes points of its own
+        for k, strand in enumerate(strands):
+            for name in ("points", "normals", "tangents", "arc_lengths"):
+                read = arrays[name][offsets[k] : offsets[k + 1]]
+                assert np.array_equal(read, getattr(strand, name))
+            assert arrays["closed"][k] == strand.closed and arrays["lengths"][k] == strand.length
+
+
 def test_a_step_beyond_all_counting_is_refused():
     with pytest.raises(whole_files.FileError, match="longer"):
         toolpath.resampled(toolpath.strands_of(_polylines()), step=1e-12)

@@ -26,7 +26,7 @@ _REASONS = {
     "mask_attribute": _DATA,
     "layout_map": _DATA,
     "bake_frames": "they are frames of a .blend",
-    "points": "it makes an object of a .blend, and .csv and .json have the same in columns",
+    "points": "it makes an object of a .blend, and .csv, .json and .npz have the same in columns",
     "visible_only": "it is Blender that finds what is hidden",
 }
 

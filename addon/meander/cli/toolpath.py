@@ -77,8 +77,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add(
         "--poses",
         action="store_true",
-        help="an --output of kind .csv or .json has poses of a tool: places, quaternions, normals "
-        "and tangents; z points into the surface, x along the curve",
+        help="an --output of kind .csv, .json or .npz has poses of a tool: places, quaternions, "
+        "normals and tangents; z points into the surface, x along the curve",
     )
     add(
         "--outward",
@@ -129,11 +129,14 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
         if not abs(arguments.part_overlap) <= arguments.part_length / 2:
             return "--part-overlap is more than half of --part-length; choose a smaller one"
     if arguments.poses and export.suffix_of(arguments.output) not in toolpath.SUFFIXES:
-        return "--poses needs an --output of kind .csv or .json; a .yaml always has them"
+        return "--poses needs an --output of kind .csv, .json or .npz; a .yaml always has them"
     if arguments.lines is not None and not _is_obj(arguments.output):
         return "--lines is for an --output of kind .obj; leave it out"
     if arguments.points is not None and arguments.output.suffix.lower() != ".blend":
-        return "--points needs an --output of kind .blend; .csv and .json have the same in columns"
+        return (
+            "--points needs an --output of kind .blend; .csv, .json and .npz have the same in "
+            "columns"
+        )
     return None
 
 

@@ -34,7 +34,7 @@ from .on_result import OnResult, result_of
 from .preferences import page_size
 from .refusing import refusing, sentence_of
 
-_TABLES = {"CSV": ".csv", "JSON": ".json"}
+_TABLES = {suffix[1:].upper(): suffix for suffix in toolpath.SUFFIXES}
 _SUFFIXES = _TABLES | {kind.name: kind.suffixes[0] for kind in export.FORMATS}
 _BY_NAME = {kind.name: kind for kind in export.FORMATS}
 
@@ -99,6 +99,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             *((kind.name, kind.label, kind.tip) for kind in export.FORMATS),
             ("CSV", "CSV", "A row for every point, with normals and triangles"),
             ("JSON", "JSON", "A list of strands, with normals and triangles"),
+            ("NPZ", "NumPy", "Arrays of all points, with normals and triangles, for large curves"),
         ),
     )
     resample: EnumProperty(

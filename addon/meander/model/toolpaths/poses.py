@@ -15,9 +15,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from ..files.npz import write_npz
 from ..files.rows import rows, write_pieces
 from ..files.whole import whole_file
-from .toolpath import Strand
+from .toolpath import Strand, offsets_of
 
 KINDS = ("approach", "curve", "retreat")
 _COLUMNS = "strand,kind,x,y,z,qx,qy,qz,qw,nx,ny,nz,tx,ty,tz,arc_length"
@@ -100,8 +101,13 @@ def _quaternions(frames: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def write(path: str | Path, poses: Sequence[Poses], version: str) -> None:
-    """Writes a .csv file, a row a pose, or a .json file, whole or not at all. Raises FileError."""
-    if Path(path).suffix.lower() == ".json":
+    """Writes a .csv file, a row a pose, a .json file, or the arrays of a .npz file, whole or not at
+    all. Raises FileError."""
+    suffix = Path(path).suffix.lower()
+    if suffix == ".npz":
+        write_npz(Path(path), _arrays(poses, version))
+        return
+    if suffix == ".json":
         record = {
             "version": version,
             "frame": _FRAME,
@@ -122,6 +128,17 @@ def write(path: str | Path, poses: Sequence[Poses], version: str) -> None:
         pieces = _csv_pieces(poses)
     with whole_file(Path(path)) as temporary:
         write_pieces(temporary, pieces)
+
+
+def _arrays(poses: Sequence[Poses], version: str) -> Iterator[tuple[str, np.ndarray]]:
+    """The poses of all strands one after the other; strand k has those from offsets[k] to
+    offsets[k + 1]. Kinds are words, as in the other files."""
+    yield "version", np.array(version)
+    yield "frame", np.array(_FRAME)
+    yield "offsets", offsets_of([len(each.places) for each in poses])
+    for name in ("kinds", "places", "quaternions", "normals", "tangents", "arc_lengths"):
+        values = np.concatenate([getattr(each, name) for each in poses])
+        yield name, np.array(KINDS)[values] if name == "kinds" else values
 
 
 def _csv_pieces(poses: Sequence[Poses]) -> Iterator[str]:

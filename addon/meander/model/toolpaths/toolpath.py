@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Curves as paths for tools: points in order with normals, resampled, as CSV or JSON. No bpy.
+"""Curves as paths for tools: points in order with normals, resampled, as CSV, JSON or NPZ. No bpy.
 
 Strands are never joined: a machine that goes from one to the next lifts its tool. Resampled points
 lie on the pieces of the polyline, and so on the surface, since every piece lies in one face.
@@ -8,7 +8,7 @@ lie on the pieces of the polyline, and so on the surface, since every piece lies
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,11 +17,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core import PointData, Polylines
+from ..files.npz import write_npz
 from ..files.rows import rows, write_pieces
 from ..files.whole import FileError, whole_file
 from ..geometry.simplification import kept_within
 
-SUFFIXES = (".csv", ".json")
+SUFFIXES = (".csv", ".json", ".npz")
 
 # Resampling gives at most this many points; more is a mistake in the unit.
 _MOST_POINTS = 50_000_000
@@ -303,9 +304,41 @@ def write_json(path: str | Path, strands: list[Strand], version: str) -> None:
         temporary.write_text(json.dumps(record, allow_nan=False) + "\n", encoding="ascii")
 
 
+def write_arrays(path: str | Path, strands: list[Strand], version: str) -> None:
+    """Writes the strands as arrays, which numpy.load reads, atomically. Raises FileError as
+    write_csv does.
+
+    version, offsets (m + 1,), closed (m,) and lengths (m,) of m strands; of n points, in the order
+    of the strands: points, normals, tangents, arc_lengths, and what is known of all strands of
+    radii, faces and weights, with the shapes that a Strand has. Strand k has the points from
+    offsets[k] to offsets[k + 1].
+    """
+
+    def arrays() -> Iterator[tuple[str, np.ndarray]]:
+        yield "version", np.array(version)
+        yield "offsets", offsets_of([len(strand.points) for strand in strands])
+        yield "closed", np.array([strand.closed for strand in strands], dtype=bool)
+        yield "lengths", np.array([strand.length for strand in strands], dtype=np.float64)
+        for name in ("points", "normals", "tangents", "arc_lengths", "radii", "faces", "weights"):
+            known = [getattr(strand, name) for strand in strands]
+            if known and all(values is not None for values in known):
+                yield name, np.concatenate(known)
+
+    write_npz(Path(path), arrays())
+
+
+def offsets_of(counts: Sequence[int]) -> NDArray[np.int64]:
+    """Where lists that lie one after the other begin, and the end of the last."""
+    return np.cumsum([0, *counts], dtype=np.int64)
+
+
+_WRITERS: dict[str, Callable[[str | Path, list[Strand], str], None]] = {
+    ".csv": lambda path, strands, _version: write_csv(path, strands),
+    ".json": write_json,
+    ".npz": write_arrays,
+}
+
+
 def write(path: str | Path, strands: list[Strand], version: str) -> None:
-    """Writes a .csv or a .json file."""
-    if Path(path).suffix.lower() == ".json":
-        write_json(path, strands, version)
-    else:
-        write_csv(path, strands)
+    """Writes a file of one of SUFFIXES, by its name; of another name, as a .csv file."""
+    _WRITERS.get(Path(path).suffix.lower(), _WRITERS[".csv"])(path, strands, version)
