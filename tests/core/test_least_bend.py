@@ -5,13 +5,15 @@ from __future__ import annotations
 
 import json
 import re
+import tracemalloc
 from pathlib import Path
+from types import SimpleNamespace
 
 import geometry
 import numpy as np
 import pytest
 from meander import batch
-from meander.model.least_bend import LOOSER_WHERE_STIFF
+from meander.model.least_bend import LOOSER_WHERE_STIFF, sharpest_bend
 
 SPACING = 0.08
 
@@ -125,3 +127,23 @@ def test_what_cannot_be_is_refused(sheet: Path, extra, words, capsys) -> None:
     assert run(sheet, "--least-bend-radius", *extra) == 2
     assert words in capsys.readouterr().err
     assert not sheet.with_name("a.obj").exists()
+
+
+def test_one_sharp_turn_is_found_in_a_long_curve_and_little_memory() -> None:
+    """Of half a radian, in a line that is all but straight."""
+    count, kink = 200_000, 23_457
+    way = np.full(count, 2.0 * np.pi / count)
+    way[kink] += 0.5
+    way[kink + count // 2] -= 0.5
+    heading = np.cumsum(way)
+    points = np.cumsum(np.stack([np.cos(heading), np.sin(heading), 0 * heading], axis=1), axis=0)
+    curve = SimpleNamespace(offsets=np.array([0, count]), positions=points, closed=np.array([0]))
+    tracemalloc.start()
+    bend = sharpest_bend(curve, 4.0)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    corners = points[[kink - 1, kink - 1 + count // 2]]
+    assert np.linalg.norm(corners - bend.place, axis=1).min() < 0.2
+    # From a unit before the corner to a unit after it the line turns by half a radian.
+    assert bend.radius == pytest.approx(1.0 / (2.0 * np.sin(0.25)), rel=0.03)
+    assert peak < 300 * count
