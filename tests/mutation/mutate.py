@@ -42,8 +42,9 @@ TARGETS = {
     "curve/crossings.cpp": "same between overlap FaceTest touch",
     "model/energy.cpp": "power medial_force medial_stiffness medial_energy across_field"
     " power_factors Assembly add_end_term energy",
-    "medial/curve_bvh.cpp": "rounded_down rounded_up CurveBvh::shrinks_to"
-    " CurveBvh::largest_ball_among",
+    "medial/lanes.h": "rounded_down rounded_up",
+    "medial/ball_limit.h": "take shrink lanes_inside",
+    "medial/empty_balls.h": "largest_ball",
     "medial/medial_axis.cpp": "",
     "flow/convergence.cpp": "",
     "flow/weighting.cpp": "",
@@ -116,7 +117,8 @@ def compiler_arguments() -> list[str]:
     eigen = subprocess.run(
         ["pkg-config", "--cflags", "eigen3"], capture_output=True, text=True, check=True
     )
-    return ["-xc++", "-std=c++20", "-w", *(f"-I{f}" for f in folders), *eigen.stdout.split()]
+    vectors = ["-DEIGEN_DONT_VECTORIZE", "-DEIGEN_VECTORIZE"]  # as cmake/library.cmake has them
+    return ["-xc++", "-std=c++20", "-w", *vectors, *(f"-I{f}" for f in folders), *eigen.stdout.split()]
 
 
 def write() -> list[Mutant]:

@@ -4,7 +4,10 @@
 // against all points.
 #include <gtest/gtest.h>
 
-#include "medial/curve_bvh.h"
+#include <functional>
+
+#include "medial/empty_balls.h"
+#include "medial/near_points.h"
 #include "meshes.h"
 
 namespace meander::test {
@@ -61,9 +64,9 @@ TEST(CurveBvh, BallsOfNeighboursEqualBruteForce) {
       }
       std::vector<Balls> together = start, parts = start;
       std::vector<std::array<uint32_t, 2>> touching(count, {0, 0});
-      tree.largest_balls(0, count, b, together, touching);
+      largest_balls(tree, {0, count, b, together, touching}, SeeAll{});
       for (size_t first = 0; first < count; first += 13) {
-        tree.largest_balls(first, std::min(count, first + 13), b, parts);
+        largest_balls(tree, {first, std::min(count, first + 13), b, parts}, SeeAll{});
       }
       EXPECT_EQ(parts, together);
       for (size_t i = 0; i < count; ++i) {
@@ -71,12 +74,12 @@ TEST(CurveBvh, BallsOfNeighboursEqualBruteForce) {
           const double expected = start[i][side] > 0 ? brute_force(points, points[i], b[i][side], start[i][side]) : 0;
           ASSERT_NEAR(together[i][side], expected, kRounding * expected) << count << " points, ball " << i;
           if (start[i][side] == 0) continue;
-          const double alone = tree.largest_ball(points[i], b[i][side], start[i][side]);
+          const BallStart from{points[i], b[i][side]};
+          const double alone = largest_ball(tree, from, start[i][side], CountAll{}).radius;
           EXPECT_NEAR(alone, expected, kRounding * expected);
-          uint32_t touched = 0;
-          EXPECT_NEAR(tree.largest_ball(points[i], b[i][side], start[i][side], &touched), expected,
-                      kRounding * expected);
-          EXPECT_EQ(touched == UINT32_MAX, expected == start[i][side]);
+          const BallLimit first = largest_ball(tree, from, start[i][side], CountAllInOrder{});
+          EXPECT_NEAR(first.radius, expected, kRounding * expected);
+          EXPECT_EQ(first.touched == UINT32_MAX, expected == start[i][side]);
           const uint32_t limit = touching[i][side];
           ASSERT_EQ(limit == UINT32_MAX, expected == start[i][side]);
           if (limit != UINT32_MAX) {
@@ -102,7 +105,7 @@ TEST(CurveBvh, BallsOfAGridEqualBruteForce) {
   const CurveBvh tree(points, pool);
   const std::vector<Sides> b(points.size(), Sides{Vec3(0, 1, 0), Vec3(0, -1, 0)});
   std::vector<Balls> radii(points.size(), Balls{0.1, 0.1});
-  tree.largest_balls(0, points.size(), b, radii);
+  largest_balls(tree, {0, points.size(), b, radii}, SeeAll{});
   for (size_t i = 0; i < points.size(); ++i) {
     for (size_t side = 0; side < 2; ++side) {
       const double expected = brute_force(points, points[i], b[i][side], 0.1);
@@ -123,27 +126,22 @@ TEST(CurveBvh, DistanceEqualsBruteForce) {
       const double most = rng.in(0, 1) < 0.2 ? 4 : rng.in(0, 0.5);
       double expected = most;
       for (const Vec3& p : points) expected = std::min(expected, (p - from).norm());
-      EXPECT_NEAR(tree.distance(from, most), expected, 10 * kRounding);
+      EXPECT_NEAR(nearest_distance(tree, from, most), expected, 10 * kRounding);
       ++(expected < most ? near : far);
     }
     if (count > 0) {
-      EXPECT_EQ(tree.distance(points[count / 2], 1), 0);
+      EXPECT_EQ(nearest_distance(tree, points[count / 2], 1), 0);
     }
   }
   EXPECT_GT(near, 500u);
   EXPECT_GT(far, 500u);
 }
 
-/// What the ball of one point among those that count is limited by: the radius, and the first point that does so.
-struct Limit {
-  double radius;
-  uint32_t touched = UINT32_MAX;
-};
-
+/// The ball of one point among those that count: of several that limit it alike, the first does.
 template <class Counts>
-Limit brute_force_seen(const std::vector<Vec3>& points, const Vec3& x, const Vec3& b, double most,
+BallLimit brute_force_seen(const std::vector<Vec3>& points, const Vec3& x, const Vec3& b, double most,
                        const Counts& counts) {
-  Limit limit{most};
+  BallLimit limit{most};
   for (uint32_t j = 0; j < points.size(); ++j) {
     const double ahead = (points[j] - x).dot(b);
     if (!(ahead > 0) || !counts(j)) continue;
@@ -153,27 +151,41 @@ Limit brute_force_seen(const std::vector<Vec3>& points, const Vec3& x, const Vec
   return limit;
 }
 
+using Kinds = std::vector<uint32_t>;
+using Share = std::function<RunShare(size_t first, size_t last, uint32_t run)>;
+
 /// What points of a kind see of each run, by a function of the kind and of a point.
 template <class Sees>
-CurveBvh::Sight sight_of(const std::vector<uint32_t>& kind, const Sees& sees) {
-  return {kind, [&kind, sees](uint32_t of, uint32_t run) {
-            uint32_t lanes = 0;
-            for (uint32_t lane = 0; lane < CurveBvh::kRun; ++lane) {
-              const uint32_t j = run * CurveBvh::kRun + lane;
-              if (j < kind.size() && sees(of, j)) lanes |= 1u << lane;
-            }
-            return lanes;
-          },
-          [&kind, sees](size_t first, size_t last, uint32_t run) {
-            const size_t begin = size_t{run} * CurveBvh::kRun, end = std::min(begin + CurveBvh::kRun, kind.size());
-            size_t seen = 0;
-            for (size_t i = first; i < last; ++i) {
-              for (size_t j = begin; j < end; ++j) seen += sees(kind[i], static_cast<uint32_t>(j));
-            }
-            const size_t all = (last - first) * (end - begin);
-            if (seen == 0) return CurveBvh::Share::kNothing;
-            return seen == all ? CurveBvh::Share::kAll : CurveBvh::Share::kMaybe;
-          }};
+auto lanes_seen(const Kinds& kind, const Sees& sees) {
+  return [&kind, sees](uint32_t of, uint32_t run) {
+    uint32_t lanes = 0;
+    for (uint32_t lane = 0; lane < CurveBvh::kRun; ++lane) {
+      const uint32_t j = run * CurveBvh::kRun + lane;
+      if (j < kind.size() && sees(of, j)) lanes |= 1u << lane;
+    }
+    return lanes;
+  };
+}
+
+template <class Sees>
+Share share_seen(const Kinds& kind, const Sees& sees) {
+  return [&kind, sees](size_t first, size_t last, uint32_t run) {
+    const size_t begin = size_t{run} * CurveBvh::kRun, end = std::min(begin + CurveBvh::kRun, kind.size());
+    size_t seen = 0;
+    for (size_t i = first; i < last; ++i) {
+      for (size_t j = begin; j < end; ++j) seen += sees(kind[i], static_cast<uint32_t>(j));
+    }
+    const size_t all = (last - first) * (end - begin);
+    if (seen == 0) return RunShare::kNothing;
+    return seen == all ? RunShare::kAll : RunShare::kMaybe;
+  };
+}
+
+/// `share`  if not null, in place of what is known of runs as wholes
+template <class Sees>
+auto sight_of(const Kinds& kind, const Sees& sees, const Share& share = nullptr) {
+  return SeeByKind{[&kind](size_t i) { return kind[i]; }, lanes_seen(kind, sees),
+                   share ? share : share_seen(kind, sees)};
 }
 
 TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
@@ -191,8 +203,8 @@ TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
       for (bool& each : row) each = rng.in(0, 1) < 0.6;
     }
     const auto sees = [&](size_t i, uint32_t j) { return visible[kind[i]][kind[j]]; };
-    const CurveBvh::Sight sight =
-        sight_of(kind, [&](uint32_t of, uint32_t j) { return visible[of][kind[j]]; });
+    const auto of_kind = [&](uint32_t of, uint32_t j) { return visible[of][kind[j]]; };
+    const auto sight = sight_of(kind, of_kind);
     std::vector<Sides> b(count);
     for (Sides& sides : b) sides = {random_direction(rng), random_direction(rng)};
     // The last of these meets more runs than are kept for neighbours.
@@ -203,23 +215,22 @@ TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
       }
       std::vector<Balls> together = start, parts = start;
       std::vector<std::array<uint32_t, 2>> touched(count, {UINT32_MAX, UINT32_MAX}), touched_in_parts = touched;
-      tree.largest_balls_seen(0, count, b, sight, together, touched);
+      largest_balls(tree, {0, count, b, together, touched}, sight);
       for (size_t first = 0; first < count; first += 13) {
-        tree.largest_balls_seen(first, std::min(count, first + 13), b, sight, parts,
-                                std::span(touched_in_parts).subspan(first));
+        largest_balls(tree, {first, std::min(count, first + 13), b, parts, std::span(touched_in_parts).subspan(first)},
+                      sight);
       }
       EXPECT_EQ(parts, together);
       EXPECT_EQ(touched_in_parts, touched);
       // What knows of no run as a whole only costs time.
-      CurveBvh::Sight hopeful = sight;
-      hopeful.share = [&](size_t of, size_t end, uint32_t run) {
-        unseen += sight.share(of, end, run) == CurveBvh::Share::kNothing;
-        all_seen += sight.share(of, end, run) == CurveBvh::Share::kAll;
-        return CurveBvh::Share::kMaybe;
-      };
+      const auto hopeful = sight_of(kind, of_kind, [&](size_t of, size_t end, uint32_t run) {
+        unseen += sight.share(of, end, run) == RunShare::kNothing;
+        all_seen += sight.share(of, end, run) == RunShare::kAll;
+        return RunShare::kMaybe;
+      });
       std::vector<Balls> again = start;
       std::vector<std::array<uint32_t, 2>> touched_again(count, {UINT32_MAX, UINT32_MAX});
-      tree.largest_balls_seen(0, count, b, hopeful, again, touched_again);
+      largest_balls(tree, {0, count, b, again, touched_again}, hopeful);
       EXPECT_EQ(again, together);
       EXPECT_EQ(touched_again, touched);
       for (size_t i = 0; i < count; ++i) {
@@ -230,13 +241,13 @@ TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
             continue;
           }
           const auto counts = [&](uint32_t j) { return sees(i, j); };
-          const Limit expected = brute_force_seen(points, points[i], b[i][side], start[i][side], counts);
+          const BallLimit expected = brute_force_seen(points, points[i], b[i][side], start[i][side], counts);
           ASSERT_NEAR(together[i][side], expected.radius, kRounding * expected.radius)
               << count << " points, ball " << i;
           ASSERT_EQ(touched[i][side], expected.touched) << count << " points, ball " << i;
-          uint32_t alone = 0;
-          EXPECT_EQ(tree.largest_ball_seen(points[i], b[i][side], start[i][side], counts, alone), together[i][side]);
-          EXPECT_EQ(alone, expected.touched);
+          const BallLimit alone = largest_ball(tree, {points[i], b[i][side]}, start[i][side], count_where(counts));
+          EXPECT_EQ(alone.radius, together[i][side]);
+          EXPECT_EQ(alone.touched, expected.touched);
           ++(expected.touched == UINT32_MAX ? clamped : limited);
           passed_over += brute_force(points, points[i], b[i][side], start[i][side]) < expected.radius;
         }
@@ -259,12 +270,13 @@ TEST(CurveBvh, BallsAmongAllAndAmongNone) {
   for (int k = 0; k < 200; ++k) {
     const Vec3& x = points[rng.below(points.size())];
     const Vec3 b = random_direction(rng);
-    uint32_t of_all = 0, touched = 0;
-    const double all = tree.largest_ball_seen(x, b, 0.5, [](uint32_t) { return true; }, of_all);
-    EXPECT_NEAR(all, tree.largest_ball(x, b, 0.5, &touched), kRounding);
-    EXPECT_EQ(of_all, touched);
-    EXPECT_EQ(tree.largest_ball_seen(x, b, 0.5, [](uint32_t) { return false; }, touched), 0.5);
-    EXPECT_EQ(touched, UINT32_MAX);
+    const BallLimit all = largest_ball(tree, {x, b}, 0.5, count_where([](uint32_t) { return true; }));
+    const BallLimit unasked = largest_ball(tree, {x, b}, 0.5, CountAllInOrder{});
+    EXPECT_NEAR(all.radius, unasked.radius, kRounding);
+    EXPECT_EQ(all.touched, unasked.touched);
+    const BallLimit none = largest_ball(tree, {x, b}, 0.5, count_where([](uint32_t) { return false; }));
+    EXPECT_EQ(none.radius, 0.5);
+    EXPECT_EQ(none.touched, UINT32_MAX);
   }
 }
 
@@ -284,35 +296,36 @@ TEST(CurveBvh, PartsFindWhatTheyWouldAlone) {
       const size_t begin = size_t{run} * CurveBvh::kRun, end = std::min(begin + CurveBvh::kRun, count);
       return std::find(part.begin() + begin, part.begin() + end, of) != part.begin() + end;
     };
-    CurveBvh::Sight sight = sight_of(part, [&](uint32_t of, uint32_t j) { return part[j] == of; });
-    sight.share = [&, share = sight.share](size_t first, size_t last, uint32_t run) {
+    const auto of_part = [&](uint32_t of, uint32_t j) { return part[j] == of; };
+    const Share share = share_seen(part, of_part);
+    const auto sight = sight_of(part, of_part, [&](size_t first, size_t last, uint32_t run) {
       ++asked;
       bool own = false;
       for (size_t i = first; i < last; ++i) own = own || holds(run, part[i]);
       EXPECT_TRUE(own);
       return share(first, last, run);
-    };
+    });
     std::vector<Sides> b(count);
     for (Sides& sides : b) sides = {random_direction(rng), random_direction(rng)};
     for (const double most : {0.03, 0.2, 4.0}) {
       std::vector<Balls> radii(count, Balls{most, most});
       std::vector<std::array<uint32_t, 2>> touched(count);
-      tree.largest_balls_seen(0, count, b, sight, radii, touched);
+      largest_balls(tree, {0, count, b, radii, touched}, sight);
       for (uint32_t i = 0; i < count; ++i) {
         const auto own = [&](uint32_t j) { return part[j] == part[i]; };
         for (size_t side = 0; side < 2; ++side) {
-          const Limit expected = brute_force_seen(points, points[i], b[i][side], most, own);
+          const BallLimit expected = brute_force_seen(points, points[i], b[i][side], most, own);
           ASSERT_NEAR(radii[i][side], expected.radius, kRounding * expected.radius);
           ASSERT_EQ(touched[i][side], expected.touched);
-          uint32_t alone = 0;
-          EXPECT_EQ(tree.largest_ball_of_kind(sight, part[i], points[i], b[i][side], most, alone, part[i]),
-                    radii[i][side]);
-          EXPECT_EQ(alone, expected.touched);
+          const BallStart from{points[i], b[i][side]};
+          const BallLimit by_lanes = largest_ball(tree, from, most, sight.alone(part[i]), part[i]);
+          EXPECT_EQ(by_lanes.radius, radii[i][side]);
+          EXPECT_EQ(by_lanes.touched, expected.touched);
           const auto counts = [&](uint32_t j) {
             EXPECT_TRUE(holds(j / CurveBvh::kRun, part[i]));
             return own(j);
           };
-          EXPECT_EQ(tree.largest_ball_seen(points[i], b[i][side], most, counts, alone, part[i]), radii[i][side]);
+          EXPECT_EQ(largest_ball(tree, from, most, count_where(counts), part[i]).radius, radii[i][side]);
           limited += expected.touched != UINT32_MAX;
           passed_over += brute_force(points, points[i], b[i][side], most) < expected.radius;
         }
@@ -327,9 +340,9 @@ TEST(CurveBvh, PartsFindWhatTheyWouldAlone) {
         if (part[j] == of) own = std::min(own, apart);
         if (holds(j / CurveBvh::kRun, of)) run = std::min(run, apart);
       }
-      EXPECT_LE(tree.distance(from, 4, of), own * (1 + kRounding));
-      EXPECT_GE(tree.distance(from, 4, of), run * (1 - kRounding));
-      tree.inside(from, 0.3, inside, of);
+      EXPECT_LE(nearest_distance(tree, from, 4, of), own * (1 + kRounding));
+      EXPECT_GE(nearest_distance(tree, from, 4, of), run * (1 - kRounding));
+      find_inside(tree, from, 0.3, inside, of);
       for (uint32_t j = 0; j < count; ++j) {
         const bool found = std::ranges::find(inside, j) != inside.end(), near = (points[j] - from).norm() < 0.3;
         EXPECT_EQ(found, near && holds(j / CurveBvh::kRun, of));
@@ -358,19 +371,19 @@ TEST(CurveBvh, TheFirstOfEqualsIsTouched) {
   std::vector<std::array<uint32_t, 2>> touched(points.size());
   const std::vector<uint32_t> kind(points.size(), 0);
   const auto sees = [&](size_t, uint32_t j) { return j % 3 != 0; };
-  tree.largest_balls_seen(0, points.size(), b, sight_of(kind, sees), radii, touched);
+  largest_balls(tree, {0, points.size(), b, radii, touched}, sight_of(kind, sees));
   for (uint32_t i = 0; i < points.size(); ++i) {
     for (size_t side = 0; side < 2; ++side) {
-      const Limit expected =
+      const BallLimit expected =
           brute_force_seen(points, points[i], b[i][side], 1, [&](uint32_t j) { return sees(i, j); });
       EXPECT_EQ(radii[i][side], expected.radius);
       EXPECT_EQ(touched[i][side], expected.touched);
       // Of all points, for this one alone; a ball that is as large as it may be is limited by none.
       for (const double most : {1.0, 0.125}) {
-        const Limit of_all = brute_force_seen(points, points[i], b[i][side], most, [](uint32_t) { return true; });
-        uint32_t alone = 0;
-        EXPECT_EQ(tree.largest_ball(points[i], b[i][side], most, &alone), of_all.radius);
-        EXPECT_EQ(alone, of_all.touched);
+        const BallLimit of_all = brute_force_seen(points, points[i], b[i][side], most, [](uint32_t) { return true; });
+        const BallLimit alone = largest_ball(tree, {points[i], b[i][side]}, most, CountAllInOrder{});
+        EXPECT_EQ(alone.radius, of_all.radius);
+        EXPECT_EQ(alone.touched, of_all.touched);
       }
     }
   }
@@ -402,10 +415,10 @@ TEST(CurveBvh, TheFirstOfEqualsCloseByIsTouched) {
     const std::vector<Sides> sides(points.size(), Sides{b, -b});
     std::vector<Balls> radii(points.size(), Balls{kRadius, kRadius});
     std::vector<std::array<uint32_t, 2>> touched(points.size());
-    tree.largest_balls_seen(0, points.size(), sides, sight_of(kind, all), radii, touched);
+    largest_balls(tree, {0, points.size(), sides, radii, touched}, sight_of(kind, all));
     for (uint32_t i = 0; i < points.size(); ++i) {
       for (size_t side = 0; side < 2; ++side) {
-        const Limit expected =
+        const BallLimit expected =
             brute_force_seen(points, points[i], sides[i][side], kRadius, [](uint32_t) { return true; });
         EXPECT_EQ(radii[i][side], expected.radius) << "from point " << i;
         EXPECT_EQ(touched[i][side], expected.touched) << "from point " << i;
@@ -429,7 +442,7 @@ TEST(CurveBvh, InsideEqualsBruteForce) {
     for (uint32_t i = 0; i < points.size(); ++i) {
       if ((points[i] - centre).squaredNorm() < radius * radius) expected.push_back(i);
     }
-    tree.inside(centre, radius, found);
+    find_inside(tree, centre, radius, found);
     EXPECT_EQ(found, expected);
   }
 }

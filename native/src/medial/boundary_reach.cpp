@@ -10,6 +10,8 @@
 #include "base/eigen.h"
 #include "geodesic/geodesic_trace.h"
 #include "medial/constants.h"
+#include "medial/empty_balls.h"
+#include "medial/near_points.h"
 
 namespace meander {
 namespace {
@@ -78,7 +80,7 @@ class Clearance {
     if (part == part_ && (x - asked_at_).norm() < kBelieved * far) return true;
     asked_at_ = x;
     part_ = part;
-    nearest_ = boundary_.distance(x, std::min(kFarther * far, CurveBvh::kMostRadius), part);
+    nearest_ = nearest_distance(boundary_, x, std::min(kFarther * far, CurveBvh::kMostRadius), part);
     return nearest_ < far;
   }
 
@@ -238,12 +240,11 @@ class ReachFinder {
   /// path to the boundary is nearer than its end.
   double distance_to_corner(uint32_t i, uint32_t side, double most) {
     const Vec3& outward = scene_.frames.outward[i][side];
-    uint32_t touched;
     const auto counts = [&](uint32_t k) {
       return -scene_.boundary.inward()[k].dot(outward) >= kFacing && !hidden(i, k);
     };
-    return 2 * scene_.boundary.bvh().largest_ball_seen(scene_.frames.position[i], outward, most / 2, counts, touched,
-                                                         part(i));
+    const BallStart start{scene_.frames.position[i], outward};
+    return 2 * largest_ball(scene_.boundary.bvh(), start, most / 2, count_where(counts), part(i)).radius;
   }
 
   bool hidden(uint32_t i, uint32_t sample) const {

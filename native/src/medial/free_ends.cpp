@@ -5,7 +5,8 @@
 #include <optional>
 
 #include "geodesic/geodesic_trace.h"
-#include "medial/curve_bvh.h"
+#include "medial/empty_balls.h"
+#include "medial/near_points.h"
 
 namespace meander {
 namespace {
@@ -17,7 +18,7 @@ constexpr size_t kFewEnds = 32;
 /// Rounding changes the radius of a ball by less than this share of the surface's diagonal and its own.
 constexpr double kBallRounding = 1e-9;
 
-/// The largest empty ball of Ma, Bae and Choi, see CurveBvh::largest_ball.
+/// The largest empty ball of Ma, Bae and Choi, see medial/empty_balls.h.
 class BallAhead {
  public:
   BallAhead(const Vec3& x, const Vec3& outward, double most) : x_(x), outward_(outward), radius_(most) {}
@@ -53,8 +54,8 @@ class Nodes {
       for (const Vec3& p : positions_) ball.keep_out(p);
       return;
     }
-    const double reach = with_slack(tree_->largest_ball(x, outward, ball.radius()));
-    tree_->inside(ball.centre(reach), with_slack(reach), near);
+    const double reach = with_slack(largest_ball(*tree_, {x, outward}, ball.radius(), CountAll{}).radius);
+    find_inside(*tree_, ball.centre(reach), with_slack(reach), near);
     for (const uint32_t i : near) ball.keep_out(positions_[i]);
   }
 

@@ -71,17 +71,16 @@ uint32_t GeodesicScene::lanes_seen(uint32_t patch, uint32_t run) const {
   return lanes;
 }
 
-CurveBvh::Share GeodesicScene::share_seen(size_t first, size_t last, uint32_t run) const {
-  using Share = CurveBvh::Share;
+RunShare GeodesicScene::share_seen(size_t first, size_t last, uint32_t run) const {
   const size_t own_run = first / CurveBvh::kRun;
   if ((last - 1) / CurveBvh::kRun == own_run) {
     const Obstacles::Facing facing = obstacles.facing(own_run, run);
-    if (facing == Obstacles::Facing::kAway && obstacles.all_one_sided(own_run, measure)) return Share::kNothing;
-    if (facing == Obstacles::Facing::kAlike && obstacles.hides_other_side_only(own_run, run)) return Share::kAll;
+    if (facing == Obstacles::Facing::kAway && obstacles.all_one_sided(own_run, measure)) return RunShare::kNothing;
+    if (facing == Obstacles::Facing::kAlike && obstacles.hides_other_side_only(own_run, run)) return RunShare::kAll;
   }
   // What is on part of a sheet, or of two, is hardly ever hidden as a whole.
-  if (!obstacles.on_different_sheets(own_run, run)) return Share::kMaybe;
-  return any_seen(first, last, run) ? Share::kMaybe : Share::kNothing;
+  if (!obstacles.on_different_sheets(own_run, run)) return RunShare::kMaybe;
+  return any_seen(first, last, run) ? RunShare::kMaybe : RunShare::kNothing;
 }
 
 /// Whether any of the nodes first .. last - 1 sees any point of a run.

@@ -9,7 +9,7 @@
 #include "geodesic/surface_patches.h"
 #include "geodesic/windows.h"
 #include "medial/boundary_reach.h"
-#include "medial/curve_bvh.h"
+#include "medial/run_candidates.h"
 
 namespace meander {
 
@@ -118,7 +118,7 @@ struct GeodesicScene {
   /// A bit for each point of a run of the tree that a patch sees.
   uint32_t lanes_seen(uint32_t patch, uint32_t run) const;
   /// How many points of a run the nodes first .. last - 1 see.
-  CurveBvh::Share share_seen(size_t first, size_t last, uint32_t run) const;
+  RunShare share_seen(size_t first, size_t last, uint32_t run) const;
 
  private:
   bool any_seen(size_t first, size_t last, uint32_t run) const;

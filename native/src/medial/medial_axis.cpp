@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "medial/empty_balls.h"
+
 namespace meander {
 
 void compute_medial_axis(const Frames& frames, const BoundaryObstacle& boundary, BoundaryRule rule,
@@ -26,13 +28,14 @@ void compute_medial_axis(const Frames& frames, const BoundaryObstacle& boundary,
         start[i - begin][side] = radii[i][side] = last > 0 ? std::min(most, kWarmth * last) : most;
       }
     }
-    tree.largest_balls(begin, end, frames.outward, radii);
+    largest_balls(tree, {begin, end, frames.outward, radii}, SeeAll{});
     for (size_t i = begin; i < end; ++i) {
       for (size_t side = 0; side < 2; ++side) {
         const double most = reach[i][side].radius;
         // An empty ball that no point limits is only a lower bound: start again from the clamp.
         if (radii[i][side] < start[i - begin][side] || !(radii[i][side] < most)) continue;
-        radii[i][side] = tree.largest_ball(frames.position[i], frames.outward[i][side], most);
+        const BallStart from{frames.position[i], frames.outward[i][side]};
+        radii[i][side] = largest_ball(tree, from, most, CountAll{}).radius;
       }
     }
   });

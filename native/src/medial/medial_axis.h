@@ -13,7 +13,7 @@ namespace meander {
 
 /// Computes both radii of every node, exactly: tangent balls at a node are nested, so the largest one
 /// that is empty is the smallest of those through any other node (after Ma, Bae, Choi, "3D medial axis
-/// point approximation using nearest neighbors and the normal field", 2012; see CurveBvh).
+/// point approximation using nearest neighbors and the normal field", 2012; see medial/empty_balls.h).
 ///
 /// `reach`  what the boundary and the clamp leave of the balls, see compute_reach
 /// `tree`   is built anew, and not to be asked afterwards; kept from call to call it saves memory from being
