@@ -10,7 +10,7 @@
 #include "medial/measured_ball.h"
 #include "medial/straight_ball.h"
 
-namespace meander::test {
+namespace meander::test::ball_finders_tests {
 namespace {
 
 /// How often what a finder has found was right, and how often it was too large or too small.
@@ -108,4 +108,4 @@ TEST(BallFinders, FindTheExactBalls) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::ball_finders_tests

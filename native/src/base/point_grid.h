@@ -72,7 +72,7 @@ class PointGrid {
   }
 
  private:
-  struct Place {
+  struct IndexedPoint {
     Eigen::Vector3d point;
     uint32_t index;
   };
@@ -92,7 +92,7 @@ class PointGrid {
     uint32_t mask, shift;
     std::vector<Range> table;  // open addressing
 
-    Level(double size_of_cubes, int level, const std::vector<Range>& cubes, const std::vector<Place>& places,
+    Level(double size_of_cubes, int level, const std::vector<Range>& cubes, const std::vector<IndexedPoint>& places,
           CancelToken& poll)
         : size(size_of_cubes), mask((1u << (kBits - static_cast<uint32_t>(level))) - 1) {
       const size_t slots = std::bit_ceil(std::max<size_t>(16, 2 * cubes.size()));
@@ -157,7 +157,7 @@ class PointGrid {
   }
 
   double size_;  // of the least cubes
-  std::vector<Place> places_;
+  std::vector<IndexedPoint> places_;
   std::vector<Level> levels_;  // from the least to the largest
 };
 

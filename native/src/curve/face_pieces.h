@@ -45,7 +45,7 @@ class FacePieces {
     Piece piece;
     uint32_t before;  // the one that was renewed last in its face before it; kNone if none was
   };
-  struct Place {
+  struct PiecesOfFace {
     uint32_t last = kNone;  // of its renewed pieces
     bool listed = false;    // in renewed_places_
   };
@@ -61,7 +61,7 @@ class FacePieces {
 
   // Since all were sorted, once there is an index.
   bool indexed_ = false;
-  std::vector<Place> places_;
+  std::vector<PiecesOfFace> places_;
   std::vector<Renewed> renewed_;
   std::vector<uint32_t> renewed_from_;  // per segment: its pieces are those in renewed_ from here on; kNone: the sorted
   std::vector<uint32_t> renewed_places_;

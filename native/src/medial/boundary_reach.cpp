@@ -34,7 +34,7 @@ std::vector<HalfEdge> along_loops(const Surface& surface) {
 
 std::vector<Vec3> sample_boundary(const Surface& surface, double step, std::vector<HalfEdge>& edges,
                                   std::vector<Vec3>& inward) {
-  struct Side {
+  struct BoundaryEdge {
     uint32_t from, to;
     Vec3 inward;
   };
@@ -42,17 +42,17 @@ std::vector<Vec3> sample_boundary(const Surface& surface, double step, std::vect
     const uint32_t f = face_of(e), k = corner_of(e);
     const Triangle& t = surface.face(f);
     const Vec3 along = surface.position(t[next_corner(k)]) - surface.position(t[k]);
-    return Side{t[k], t[next_corner(k)], surface.face_normal(f).cross(along).normalized()};
+    return BoundaryEdge{t[k], t[next_corner(k)], surface.face_normal(f).cross(along).normalized()};
   };
   std::vector<Vec3> at_vertex(surface.boundary().empty() ? 0 : surface.vertex_count(), Vec3::Zero());
   for (const HalfEdge e : surface.boundary()) {
-    const Side side = side_of(e);
+    const BoundaryEdge side = side_of(e);
     at_vertex[side.from] += side.inward;
     at_vertex[side.to] += side.inward;
   }
   std::vector<Vec3> samples;
   for (const HalfEdge e : along_loops(surface)) {
-    const Side side = side_of(e);
+    const BoundaryEdge side = side_of(e);
     const Vec3 &a = surface.position(side.from), &b = surface.position(side.to);
     const int pieces = std::max(1, static_cast<int>(std::min(1e6, std::ceil((b - a).norm() / step))));
     for (int k = 0; k < pieces; ++k) {
@@ -108,7 +108,7 @@ class ReachFinder {
     sides_.clear();
     for (uint32_t i = begin; i < end; ++i) add(i, wanted(i, likely), reach[i]);
     walk_to_boundary();
-    for (const Side& side : sides_) reach[side.node][side.side] = reach_of(side);
+    for (const SideOfNode& side : sides_) reach[side.node][side.side] = reach_of(side);
   }
 
   /// See complete_reach. Corners need no second look: they count where the boundary was sought in any case.
@@ -122,7 +122,7 @@ class ReachFinder {
       }
     }
     walk_to_boundary();
-    for (const Side& side : sides_) {
+    for (const SideOfNode& side : sides_) {
       ReachOfSide& known = reach[side.node][side.side];
       double& radius = radii[side.node][side.side];
       known.radius = std::min(known.radius, reach_of(side).radius);
@@ -132,7 +132,7 @@ class ReachFinder {
   }
 
  private:
-  struct Side {
+  struct SideOfNode {
     uint32_t node, side;
     bool corners;     // some sample of the boundary may be nearer than the rest of the node
     double sought;    // radii for which the boundary matters
@@ -191,7 +191,7 @@ class ReachFinder {
   /// Leads the geodesics whose distances are not known yet, in turns.
   void walk_to_boundary() {
     std::vector<GeodesicWalk> walks;
-    std::array<Side*, kTogether> walking;
+    std::array<SideOfNode*, kTogether> walking;
     walks.reserve(kTogether);
     for (auto side = sides_.begin(); side != sides_.end();) {
       walks.clear();
@@ -211,7 +211,7 @@ class ReachFinder {
     }
   }
 
-  ReachOfSide reach_of(const Side& side) {
+  ReachOfSide reach_of(const SideOfNode& side) {
     const uint32_t i = side.node;
     const double most = scene_.metric.max_radius[i], least = rest(i);
     double distance = side.distance;
@@ -259,7 +259,7 @@ class ReachFinder {
 
   const ReachScene& scene_;
   Clearance clearance_;
-  std::vector<Side> sides_;  // that the boundary may be near to
+  std::vector<SideOfNode> sides_;  // that the boundary may be near to
 };
 
 }  // namespace

@@ -70,7 +70,7 @@ ClosestPlaces places_on(std::vector<Corners> triangles, const std::vector<uint32
   pool.for_blocks(count, kPointGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const Vec3 q(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
-      const TriangleTree::Place place = tree.nearest(frame.to_inside(q));
+      const TriangleTree::Nearest place = tree.nearest(frame.to_inside(q));
       places.faces[i] = number[place.triangle];
       places.weights[i] = place.weights;
       places.distances[i] = frame.length(place.distance);
@@ -85,7 +85,7 @@ ClosestPoint::ClosestPoint(const Surface& surface, const CancelToken& poll)
     : tree_(triangles_of(surface), kThinOnSurface, poll) {}
 
 ClosestPoint::Result ClosestPoint::operator()(const Vec3& q) const {
-  const TriangleTree::Place place = tree_.nearest(q);
+  const TriangleTree::Nearest place = tree_.nearest(q);
   return {make_point(place.triangle, place.weights[0], place.weights[1], place.weights[2]), place.distance};
 }
 

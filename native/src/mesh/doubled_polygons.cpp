@@ -47,12 +47,12 @@ class DoubleSearch {
   enum class Rule { kAll, kWoundAlike };
 
   /// An edge of the outline of a patch.
-  struct Side {
+  struct OutlineEdge {
     uint32_t patch, edge;
     bool forward;  ///< from the lower place to the higher one
   };
   struct Outline {
-    std::span<const Side> sides;
+    std::span<const OutlineEdge> sides;
     uint32_t patch() const { return sides.front().patch; }
     /// Of outlines of the same edges: whether the patch is wound like the others that say so.
     bool forward() const { return sides.front().forward; }
@@ -97,7 +97,7 @@ class DoubleSearch {
   std::optional<EdgeGroups> edges_;  // of these, between places
   std::vector<uint32_t> patch_;      // per face: the lowest one that it is a patch with
   std::vector<uint32_t> first_, by_patch_;
-  std::vector<Side> sides_;          // of all outlines, by patch
+  std::vector<OutlineEdge> sides_;          // of all outlines, by patch
   std::vector<VertexPair> ends_;     // per edge
   std::vector<Copy> copies_;          // by set, and by patch
   std::vector<uint32_t> copy_of_;    // per patch, or kNobody
@@ -171,7 +171,8 @@ void DoubleSearch::find_outlines() {
       i = end;
     }
   });
-  std::ranges::stable_sort(sides_, [&](const Side& a, const Side& b) { return poll_(), a.patch < b.patch; });
+  const auto in_patches = [&](const OutlineEdge& a, const OutlineEdge& b) { return poll_(), a.patch < b.patch; };
+  std::ranges::stable_sort(sides_, in_patches);
 }
 
 void DoubleSearch::find_copies() {
@@ -185,7 +186,7 @@ void DoubleSearch::find_copies() {
   const auto compare = [](const Outline& a, const Outline& b) {
     return std::lexicographical_compare_three_way(
         a.sides.begin(), a.sides.end(), b.sides.begin(), b.sides.end(),
-        [](const Side& one, const Side& other) { return one.edge <=> other.edge; });
+        [](const OutlineEdge& one, const OutlineEdge& other) { return one.edge <=> other.edge; });
   };
   std::ranges::stable_sort(outlines, [&](const Outline& a, const Outline& b) { return poll_(), compare(a, b) < 0; });
   copy_of_.assign(faces_.size(), kNobody);
@@ -227,7 +228,7 @@ bool DoubleSearch::same_shape(const Outline& first, const Outline& other) {
 /// Newell's, from the edges of the outline in any order.
 Vec3 DoubleSearch::normal_of(const Outline& outline, const Vec3& center) const {
   Vec3 sum = Vec3::Zero();
-  for (const Side& side : outline.sides) {
+  for (const OutlineEdge& side : outline.sides) {
     const Vec3 a = positions_[ends_[side.edge][0]] - center, b = positions_[ends_[side.edge][1]] - center;
     sum += side.forward ? a.cross(b) : b.cross(a);
   }

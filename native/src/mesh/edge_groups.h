@@ -36,7 +36,7 @@ inline uint32_t corner_at(std::span<const Triangle> faces, uint32_t e, uint32_t 
 class EdgeGroups {
  public:
   /// A half-edge as seen from the lower of its ends.
-  struct Side {
+  struct HalfOfEdge {
     uint32_t high;  ///< its other end
     uint32_t half_edge;
   };
@@ -62,17 +62,17 @@ class EdgeGroups {
           const auto last = static_cast<uint32_t>(std::min(count, first + kAtOnce));
           for (auto i = static_cast<uint32_t>(first); i < last; ++i) {
             const VertexPair pair = ends(i);
-            if (pair[0] >= begin && pair[0] < end) put(pair[0], Side{pair[1], i});
+            if (pair[0] >= begin && pair[0] < end) put(pair[0], HalfOfEdge{pair[1], i});
           }
         });
       }
     };
-    each([&](uint32_t low, const Side&) { ++end_[low + 1]; });
+    each([&](uint32_t low, const HalfOfEdge&) { ++end_[low + 1]; });
     for (size_t v = 0; v < vertex_count; ++v) end_[v + 1] += end_[v];
-    each([&](uint32_t low, const Side& side) { sides_[end_[low]++] = side; });
+    each([&](uint32_t low, const HalfOfEdge& side) { sides_[end_[low]++] = side; });
     pool.for_blocks(vertex_count, kMeshGrain, [&](size_t, size_t begin, size_t end) {
       for (size_t v = begin; v < end; ++v) {
-        std::sort(sides_.begin() + begin_of(v), sides_.begin() + end_[v], [](const Side& a, const Side& b) {
+        std::sort(sides_.begin() + begin_of(v), sides_.begin() + end_[v], [](const HalfOfEdge& a, const HalfOfEdge& b) {
           return a.high != b.high ? a.high < b.high : a.half_edge < b.half_edge;
         });
       }
@@ -82,7 +82,7 @@ class EdgeGroups {
   /// Calls visit(edge, sides) for the edges of which v is the lower end, by the other one.
   template <class Visit>
   void at_vertex(uint32_t v, const Visit& visit) const {
-    std::span<const Side> left(sides_.data() + begin_of(v), sides_.data() + end_[v]);
+    std::span<const HalfOfEdge> left(sides_.data() + begin_of(v), sides_.data() + end_[v]);
     while (!left.empty()) {
       size_t count = 1;
       while (count < left.size() && left[count].high == left[0].high) ++count;
@@ -101,20 +101,20 @@ class EdgeGroups {
   }
 
   /// The sides of one edge.
-  std::span<const Side> of(const VertexPair& edge) const {
-    const auto by_high = [](const Side& a, const Side& b) { return a.high < b.high; };
+  std::span<const HalfOfEdge> of(const VertexPair& edge) const {
+    const auto by_high = [](const HalfOfEdge& a, const HalfOfEdge& b) { return a.high < b.high; };
     const auto [first, last] = std::equal_range(sides_.begin() + begin_of(edge[0]), sides_.begin() + end_[edge[0]],
-                                                Side{edge[1], 0}, by_high);
+                                                HalfOfEdge{edge[1], 0}, by_high);
     return {first, last};
   }
 
  private:
   std::ptrdiff_t begin_of(size_t v) const { return v == 0 ? 0 : end_[v - 1]; }
 
-  Table<Side> sides_;           // by their lower ends, and then by their other ones
+  Table<HalfOfEdge> sides_;           // by their lower ends, and then by their other ones
   std::vector<uint32_t> end_;  // per vertex
 };
 
-using EdgeSides = std::span<const EdgeGroups::Side>;
+using EdgeSides = std::span<const EdgeGroups::HalfOfEdge>;
 
 }  // namespace meander

@@ -122,7 +122,7 @@ class SplitSearch {
 
 /// Replaces face f by those of a ring of places on its edges, which begins with corner 0; `one` and `two` are where in
 /// it the other corners are.
-void divide(Soup& soup, uint32_t f, const std::vector<Soup::Place>& ring, size_t one, size_t two) {
+void divide(Soup& soup, uint32_t f, const std::vector<Soup::WeightedVertex>& ring, size_t one, size_t two) {
   const Soup::Face face = soup.face(f);
   const size_t n = ring.size();
   bool first = true;
@@ -165,10 +165,10 @@ bool split_edges(Soup& soup, double distance, PrepareCounts& counts) {
   for (size_t i = 0; i < splits.size();) {
     const uint32_t f = splits[i].side / 3;
     const Soup::Face face = soup.face(f);
-    std::vector<Soup::Place> ring;  // from corner 0 of the face, all around it
+    std::vector<Soup::WeightedVertex> ring;  // from corner 0 of the face, all around it
     size_t corner[3];
     for (uint32_t k = 0; k < 3; ++k) {
-      const Soup::Place here = soup.place(face, k), next = soup.place(face, (k + 1) % 3);
+      const Soup::WeightedVertex here = soup.place(face, k), next = soup.place(face, (k + 1) % 3);
       corner[k] = ring.size();
       ring.push_back(here);
       counts.split_edges += i < splits.size() && splits[i].side == 3 * f + k;

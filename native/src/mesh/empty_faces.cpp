@@ -56,13 +56,13 @@ class Dissolving {
   /// The face of a half-edge becomes two, which meet in it at vertex c.
   void divide(uint32_t half_edge, uint32_t c) {
     const Soup::Face g = soup_.face(half_edge / 3);
-    const Soup::Place a = soup_.place(g, half_edge % 3), b = soup_.place(g, (half_edge % 3 + 1) % 3),
+    const Soup::WeightedVertex a = soup_.place(g, half_edge % 3), b = soup_.place(g, (half_edge % 3 + 1) % 3),
                       d = soup_.place(g, (half_edge % 3 + 2) % 3);
     if (d.vertex == c) return;  // the same three corners: one of the two is enough
     state_[half_edge / 3] = kTouched;
     const Vec3 edge = at(b.vertex) - at(a.vertex);
     const double t = std::clamp((at(c) - at(a.vertex)).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-    const Soup::Place middle = Soup::between(a, b, t, c);
+    const Soup::WeightedVertex middle = Soup::between(a, b, t, c);
     soup_.set_face(half_edge / 3, soup_.part(g, a, middle, d));
     soup_.add_face(soup_.part(g, middle, b, d));
     state_.push_back(kTouched);

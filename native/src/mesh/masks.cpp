@@ -42,13 +42,13 @@ class Clip {
   }
 
  private:
-  enum Side : uint8_t { kOut, kOn, kIn };
+  enum SideOfMask : uint8_t { kOut, kOn, kIn };
 
   /// On which side of the mask's edge every vertex lies. A vertex that the edge passes closely is taken to lie on it;
   /// its neighbours are then cut there.
   void find_sides() {
     for (const double h : height_) side_.push_back(h > 0 ? kIn : (h < 0 ? kOut : kOn));
-    const std::vector<Side> before = side_;
+    const std::vector<SideOfMask> before = side_;
     for (const Triangle& face : soup_.faces()) {
       for (size_t k = 0; k < 3; ++k) {
         const uint32_t a = face[k], b = face[(k + 1) % 3];
@@ -76,10 +76,10 @@ class Clip {
 
   /// Keeps what is left of a face, corner by corner: a triangle, or a quadrangle where two corners are in.
   void cut_face(const Soup::Face& face) {
-    std::vector<Soup::Place> ring;
+    std::vector<Soup::WeightedVertex> ring;
     for (size_t k = 0; k < 3; ++k) {
       const uint32_t a = face.corners[k], b = face.corners[(k + 1) % 3];
-      const Soup::Place here = soup_.place(face, k), next = soup_.place(face, (k + 1) % 3);
+      const Soup::WeightedVertex here = soup_.place(face, k), next = soup_.place(face, (k + 1) % 3);
       if (side_[a] != kOut) ring.push_back(here);
       if (side_[a] == kOn || side_[b] == kOn || side_[a] == side_[b]) continue;
       const double t = height_[a] / (height_[a] - height_[b]);
@@ -104,7 +104,7 @@ class Clip {
 
   Soup& soup_;
   std::vector<double> height_;                    // per vertex
-  std::vector<Side> side_;                        // per vertex
+  std::vector<SideOfMask> side_;                        // per vertex
   std::map<VertexPair, uint32_t> cuts_;          // the vertex on an edge
   std::vector<Soup::Face> kept_;
 };

@@ -58,7 +58,7 @@ class EarCutter {
   }
 
  private:
-  struct Corner {
+  struct PolygonCorner {
     uint32_t before = 0, after = 0;
     Turn turn = kConvex;
     bool there = true;
@@ -83,7 +83,7 @@ class EarCutter {
   }
 
   void measure(uint32_t c) {
-    Corner& corner = corners_[c];
+    PolygonCorner& corner = corners_[c];
     corner.turn = turn_of((*points_)[corner.before], (*points_)[c], (*points_)[corner.after]);
     if (corner.turn == kConvex) convex_[c / kWord] |= bit(c);
   }
@@ -127,7 +127,7 @@ class EarCutter {
 
   bool is_ear(uint32_t c) const {
     if (hindrances_ == 0) return true;
-    const Corner& tip = corners_[c];
+    const PolygonCorner& tip = corners_[c];
     const Vec2 a = (*points_)[tip.before], b = (*points_)[c], d = (*points_)[tip.after];
     const auto inside = [&](uint32_t other) {
       if (!corners_[other].there || corners_[other].turn == kConvex) return false;
@@ -186,7 +186,7 @@ class EarCutter {
   }
 
   const std::vector<Vec2>* points_ = nullptr;
-  std::vector<Corner> corners_;
+  std::vector<PolygonCorner> corners_;
   std::vector<uint64_t> convex_;
   uint32_t first_ = 0;      // a corner that is left
   size_t hindrances_ = 0;   // corners that are left and not convex

@@ -55,20 +55,20 @@ uint32_t Soup::add_vertex(const Vec3& position, const MeshMap::VertexOrigin& ori
   return static_cast<uint32_t>(positions_.size() - 1);
 }
 
-Soup::Place Soup::place(const Face& face, size_t k) const {
+Soup::WeightedVertex Soup::place(const Face& face, size_t k) const {
   if (face.part != MeshMap::kWhole) return {face.corners[k], map_.corner_weights_[face.part][k]};
-  Place place{face.corners[k], {}};
+  WeightedVertex place{face.corners[k], {}};
   place.weights[k] = 1;
   return place;
 }
 
-Soup::Place Soup::between(const Place& a, const Place& b, double t, uint32_t vertex) {
-  Place place{vertex, {}};
+Soup::WeightedVertex Soup::between(const WeightedVertex& a, const WeightedVertex& b, double t, uint32_t vertex) {
+  WeightedVertex place{vertex, {}};
   for (size_t k = 0; k < 3; ++k) place.weights[k] = (1 - t) * a.weights[k] + t * b.weights[k];
   return place;
 }
 
-Soup::Face Soup::part(const Face& face, const Place& a, const Place& b, const Place& c) {
+Soup::Face Soup::part(const Face& face, const WeightedVertex& a, const WeightedVertex& b, const WeightedVertex& c) {
   map_.corner_weights_.push_back({a.weights, b.weights, c.weights});
   return {{a.vertex, b.vertex, c.vertex}, face.source, static_cast<uint32_t>(map_.corner_weights_.size() - 1)};
 }

@@ -26,7 +26,7 @@ class Soup {
     uint32_t source, part;  ///< the caller's face, and which part of one in the map
   };
   /// A place in a face, with the weights of the corners of the caller's face that it is a part of.
-  struct Place {
+  struct WeightedVertex {
     uint32_t vertex;
     Weights weights;
   };
@@ -99,11 +99,11 @@ class Soup {
     faces_[corner / 3][corner % 3] = vertex;
   }
 
-  Place place(const Face& face, size_t k) const;
+  WeightedVertex place(const Face& face, size_t k) const;
   /// At the share t of the way.
-  static Place between(const Place& a, const Place& b, double t, uint32_t vertex);
+  static WeightedVertex between(const WeightedVertex& a, const WeightedVertex& b, double t, uint32_t vertex);
   /// A triangle inside of a face.
-  Face part(const Face& face, const Place& a, const Place& b, const Place& c);
+  Face part(const Face& face, const WeightedVertex& a, const WeightedVertex& b, const WeightedVertex& c);
   void set_face(uint32_t f, const Face& face) {
     edges_ = nullptr;
     put(f, face);

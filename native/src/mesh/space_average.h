@@ -29,7 +29,7 @@ class SpaceSums {
   explicit SpaceSums(double size) : to_cubes_(std::min(1 / size, std::numeric_limits<double>::max())) {}
 
   void add(const Vec3& p, const Sums& values) {
-    const Place place = find(p, true);
+    const CubeShares place = find(p, true);
     for (size_t k = 0; k < 8; ++k) {
       Sums& there = sums_[place.corner[k]];
       for (size_t n = 0; n < Count; ++n) there[n] += place.share[k] * values[n];
@@ -38,7 +38,7 @@ class SpaceSums {
 
   /// The sums at a place near to which something has been added.
   Sums at(const Vec3& p) {
-    const Place place = find(p, false);
+    const CubeShares place = find(p, false);
     Sums result{};
     for (size_t k = 0; k < 8; ++k) {
       if (place.corner[k] == kNone) continue;
@@ -52,13 +52,13 @@ class SpaceSums {
 
  private:
   using Cube = std::array<int64_t, 3>;
-  struct Place {
+  struct CubeShares {
     std::array<uint32_t, 8> corner;
     std::array<double, 8> share;
   };
 
-  Place find(const Vec3& p, bool make) {
-    Place place;
+  CubeShares find(const Vec3& p, bool make) {
+    CubeShares place;
     Cube cube;
     std::array<double, 3> t;
     for (size_t k = 0; k < 3; ++k) {

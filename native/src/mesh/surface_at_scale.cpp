@@ -24,7 +24,7 @@ constexpr double kSmooth = 1, kHalf = 0.4, kWidth = 0.75;
 /// Cubes of the average of areas, in r.
 constexpr double kAreaCubes = 1;
 
-constexpr uint32_t kSmoothedPieces = 1u << 16;
+constexpr uint32_t kVerticesPerPoll = 1u << 16;
 
 double doubled_area(const Triangle& t, const VertexData<Vec3>& p) {
   return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm();
@@ -88,7 +88,7 @@ SurfaceAtScale at_scale(std::shared_ptr<const Surface> given, const RadiusField&
                         ThreadPool& pool) {
   SurfaceAtScale result{given, {}, {}};
   if (followed >= 1) return result;
-  const CancelToken poll = pool.poll(kSmoothedPieces);
+  const CancelToken poll = pool.poll(kVerticesPerPoll);
   const VertexData<double> rough = roughness(*given, radius, kSmooth, poll);
   if (rough.empty()) return result;
   VertexData<double> width(rough.size(), 0);  // in r

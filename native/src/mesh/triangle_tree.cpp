@@ -183,7 +183,7 @@ class TriangleTree::Search {
  public:
   Search(const TriangleTree& tree, const Vec3& q) : tree_(tree), q_(q), rounding_(kRounding * (1 + q.norm())) {}
 
-  Place run() {
+  Nearest run() {
     visit(0, 0);
     return {found_, weights_, std::sqrt(squared_)};
   }
@@ -241,7 +241,7 @@ class TriangleTree::Search {
   Vec3 nearest_ = Vec3::Zero();
 };
 
-TriangleTree::Place TriangleTree::nearest(const Vec3& q) const {
+TriangleTree::Nearest TriangleTree::nearest(const Vec3& q) const {
   const double farthest = q.cwiseAbs().maxCoeff();
   if (farthest <= kFarAway) return Search(*this, q).run();
   // Squares of such lengths may be no doubles. Infinite coordinates count more than all others.
@@ -249,7 +249,7 @@ TriangleTree::Place TriangleTree::nearest(const Vec3& q) const {
     return std::isfinite(farthest) ? x / farthest : (std::isinf(x) ? std::copysign(1.0, x) : 0.0);
   };
   Search search(*this, kFarAway * q.unaryExpr(towards));
-  Place place = search.run();
+  Nearest place = search.run();
   place.distance = std::isfinite(farthest) ? (q - search.nearest()).stableNorm() : farthest;
   return place;
 }

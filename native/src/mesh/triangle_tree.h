@@ -20,7 +20,7 @@ class TriangleTree {
   using Vec3 = Eigen::Vector3d;
   using Corners = std::array<Vec3, 3>;
 
-  struct Place {
+  struct Nearest {
     uint32_t triangle;              ///< as they were given
     std::array<double, 3> weights;  ///< of its corners, >= 0
     double distance;                ///< infinite where that is no double
@@ -32,7 +32,7 @@ class TriangleTree {
   TriangleTree(const std::vector<Corners>& triangles, double thin, CancelToken poll);
 
   /// `q` may be anywhere but NaN.
-  Place nearest(const Vec3& q) const;
+  Nearest nearest(const Vec3& q) const;
 
  private:
   static constexpr uint32_t kLeaf = 4;  // triangles of a leaf, but for the last one

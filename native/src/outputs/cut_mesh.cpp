@@ -63,7 +63,7 @@ class CutMesh::Builder {
     for (uint32_t f = 0; f < surface_.face_count(); ++f) {
       poll_();
       for (uint32_t k = 0; k < 3; ++k) {
-        Place& place = mesh_.places_[surface_.face(f)[k]];
+        InFace& place = mesh_.places_[surface_.face(f)[k]];
         if (place.face == kNone) place = {f, kCorners[k]};
       }
     }
@@ -219,7 +219,7 @@ CutMesh::CutMesh(const Surface& surface, const Curve& curve, double detail, Canc
   Builder(*this, curve, detail, poll).run();
 }
 
-uint32_t CutMesh::add_vertex(const Place& place) {
+uint32_t CutMesh::add_vertex(const InFace& place) {
   places_.push_back(place);
   const Vec2 b = place.at;
   const Triangle& t = surface_.face(place.face);

@@ -20,7 +20,7 @@ namespace meander {
 class CutMesh : public RefinedSurface {
  public:
   /// A face of the surface that holds a vertex, and where in it.
-  struct Place {
+  struct InFace {
     uint32_t face = kNone;
     Vec2 at;
   };
@@ -38,7 +38,7 @@ class CutMesh : public RefinedSurface {
   CutMesh(const Surface& surface, const Curve& curve, double detail, CancelToken poll = {});
 
   const Surface& surface() const { return surface_; }
-  const Place& place(uint32_t v) const { return places_[v]; }
+  const InFace& place(uint32_t v) const { return places_[v]; }
   /// 1 where the face of a half-edge lies on the left of the line along it, -1 on the right, 0 for other edges.
   int line_side(HalfEdge h) const;
 
@@ -57,13 +57,13 @@ class CutMesh : public RefinedSurface {
   uint32_t point_before(uint32_t strand, double along) const;
 
   /// Adds an isolated vertex in this place.
-  uint32_t add_vertex(const Place& place);
+  uint32_t add_vertex(const InFace& place);
 
  private:
   class Builder;
 
   const Surface& surface_;
-  std::vector<Place> places_;  // per vertex
+  std::vector<InFace> places_;  // per vertex
   std::vector<LineStrand> strands_;
   std::vector<uint32_t> line_, line_points_, line_strand_;
   std::vector<double> arc_lengths_;

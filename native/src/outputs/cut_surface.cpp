@@ -30,7 +30,7 @@ std::vector<uint32_t> put_vertices(const Surface& surface, const MeshMap* map, c
     poll(kOutput);
     if (mesh.isolated(v)) continue;
     numbers[v] = static_cast<uint32_t>(out.positions.size());
-    const CutMesh::Place& place = mesh.place(v);
+    const CutMesh::InFace& place = mesh.place(v);
     const CornerWeights w = weights_at(place.at);
     out.positions.push_back(caller_point(surface, place.face, w));
     out.distances.push_back(distance.at(v).distance * surface.scale());

@@ -102,12 +102,12 @@ class LineNetwork {
 
  private:
   using Cell = std::array<int64_t, 3>;
-  struct Place {
+  struct PlacedNode {
     Vec3 place;
     uint32_t node;
   };
   struct Content {
-    std::vector<Place> nodes;
+    std::vector<PlacedNode> nodes;
     uint32_t finer = 0;  // nodes of lower levels that lie in the cell
   };
   /// By their keys, with open addressing: a node that is fine looks for cells of many sizes, most of which are empty.

@@ -16,7 +16,7 @@ constexpr double kStep = 0.5;       // of points, in radii
 constexpr double kLeast = 6;        // length of a strand, in radii
 constexpr double kBeside = 3;       // arc length within which a line is not beside itself, in radii
 constexpr double kFineness = 4;     // edges near the boundary go so many times into the distance
-constexpr uint32_t kOutlinePieces = 1024;  // faces and points from one poll to the next
+constexpr uint32_t kFacesPerPoll = 1024;  // faces and points from one poll to the next
 
 /// A closed line, in the surface's own unit and in the caller's space.
 struct Loop {
@@ -166,7 +166,7 @@ Outlines find_outlines(const Surface& surface, double distance, double radius,
                        const CancelToken& cancel) {
   Outlines result;
   if (surface.boundary().empty()) return result;
-  const CancelToken poll = cancel.every(kOutlinePieces);
+  const CancelToken poll = cancel.every(kFacesPerPoll);
   const BoundaryDistance field(surface, distance, distance / kFineness, cancel);
   std::vector<Loop> loops;
   for (const Loop& level_line : LevelLines(field, distance).find(poll)) {

@@ -17,7 +17,7 @@ namespace {
 
 /// What is done between two asks, in steps of some ten nanoseconds; what a point of the seed counts for when it is laid
 /// on the surface, and when it is joined to the next one.
-constexpr uint32_t kSeedPieces = 4096;
+constexpr uint32_t kStepsPerPoll = 4096;
 constexpr size_t kLaid = 256, kJoined = 256;
 /// The same of a face that is looked at on the way.
 constexpr size_t kFace = 16;
@@ -138,7 +138,7 @@ void lead_around_guides(const Surface& surface, const RadiusField& radius, Threa
   }
   led.link();
   PathShortener shortener(surface);
-  CancelToken poll = pool.poll(kSeedPieces);
+  CancelToken poll = pool.poll(kStepsPerPoll);
   for (uint32_t i = 0, s = 0; i < led.size(); ++i) {
     while (i >= led.strands[s].end()) ++s;
     const uint32_t j = led.next(i);
@@ -258,7 +258,7 @@ void refuse_crossings(const Surface& surface, const Curve& curve, const std::vec
 Curve lay_seed(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, ThreadPool& pool,
                SeedFit* wanted_fit) {
   SeedFit fit;
-  CancelToken poll = pool.poll(kSeedPieces);
+  CancelToken poll = pool.poll(kStepsPerPoll);
   const ClosestPoint closest(surface, poll);
   Curve curve;
   std::vector<size_t> point_of_node;

@@ -15,7 +15,7 @@ namespace {
 constexpr int kHalvings = 24;
 
 /// Segments joined between two asks.
-constexpr uint32_t kTourPieces = 1024;
+constexpr uint32_t kSegmentsPerPoll = 1024;
 
 using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
 
@@ -28,7 +28,7 @@ class Laying {
   Laying(const LineNetwork& network, const Ways& ways, Walks walks, double offset, const Curve& first,
          ThreadPool& pool)
       : network_(network), ways_(ways), walks_(std::move(walks)), offset_(offset), first_(first), pool_(pool),
-        shortener_(network.surface()), poll_(pool.poll(kTourPieces)), known_(walks_.size()) {
+        shortener_(network.surface()), poll_(pool.poll(kSegmentsPerPoll)), known_(walks_.size()) {
     for (size_t k = 0; k < walks_.size(); ++k) {
       if (walks_[k]) known_[k].assign(Stop::kMostStops * (walks_[k]->corners.size() + 1), kNone);
     }
@@ -277,7 +277,7 @@ class Blame {
 
 TreeTour walk_round(const LineNetwork& network, const std::vector<LineTree>& trees, double offset, const Curve& first,
                     ThreadPool& pool) {
-  CancelToken poll = pool.poll(kTourPieces);
+  CancelToken poll = pool.poll(kSegmentsPerPoll);
   const Ways ways(network);
   Walks walks(first.strands.size());
   for (const LineTree& tree : trees) {

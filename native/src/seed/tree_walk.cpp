@@ -27,18 +27,18 @@ double angle_of(Vec2 v) { return elementary::atan2(v.y, v.x); }
 struct Sector {
   Vec2 leaving;
   double angle;  ///< from there to where the walk comes from, counterclockwise on the left
-  Side side;
+  Hand hand;
 
-  static Sector between(const Ways& ways, Way in, Way out, Side side) {
+  static Sector between(const Ways& ways, Way in, Way out, Hand hand) {
     const Vec2 back = ways.leaving(Ways::twin(in)), ahead = ways.leaving(out);
-    double angle = side * elementary::atan2(cross(ahead, back), dot(ahead, back));
+    double angle = hand * elementary::atan2(cross(ahead, back), dot(ahead, back));
     if (angle <= 0 || out == Ways::twin(in)) angle += 2 * kPi;
-    return {ahead, std::min(angle, 2 * kPi), side};
+    return {ahead, std::min(angle, 2 * kPi), hand};
   }
   bool is_tip() const { return angle > kTip; }
   bool is_corner() const { return angle < kCorner; }
   Vec2 at(double share) const {
-    const double a = side * share * angle;
+    const double a = hand * share * angle;
     return unit(leaving * Vec2{elementary::cos(a), elementary::sin(a)});
   }
 };
@@ -67,18 +67,18 @@ class StopMaker {
   }
   Way after(size_t k) const { return walk_.ways[(k + 1) % walk_.ways.size()]; }
   Sector sector(size_t k) const {
-    return Sector::between(ways_, walk_.ways[k], after(k), walk_.corners[k].side);
+    return Sector::between(ways_, walk_.ways[k], after(k), walk_.corners[k].hand);
   }
   bool is_plain(size_t k) const {
-    if (walk_.corners[k].kind == Corner::kOnTrunk) return !walk_.corners[k].stays;
-    if (walk_.corners[k].kind != Corner::kRound) return false;
+    if (walk_.corners[k].kind == WalkCorner::kOnTrunk) return !walk_.corners[k].stays;
+    if (walk_.corners[k].kind != WalkCorner::kRound) return false;
     const Sector s = sector(k);
     return !s.is_corner() && !s.is_tip();
   }
   bool is_narrow(size_t k) const {
-    const Corner::Kind kind = walk_.corners[k].kind;
-    return kind == Corner::kFromTrunk || kind == Corner::kToTrunk ||
-           (kind == Corner::kRound && sector(k).is_corner());
+    const WalkCorner::Kind kind = walk_.corners[k].kind;
+    return kind == WalkCorner::kFromTrunk || kind == WalkCorner::kToTrunk ||
+           (kind == WalkCorner::kRound && sector(k).is_corner());
   }
 
   /// Marks what is so near to a narrow corner, or to where a trunk is left, that its node would be in the way.
@@ -105,17 +105,17 @@ class StopMaker {
 
   void add(size_t k, std::vector<Stop>& stops) const {
     const uint32_t node = ways_.to(walk_.ways[k]);
-    const Corner& corner = walk_.corners[k];
+    const WalkCorner& corner = walk_.corners[k];
     uint8_t number = 0;
     const auto stop = [&](Vec2 direction, double factor) {
       stops.push_back({node, direction, factor * reach(k), k + 1, 0, number++});
     };
     switch (corner.kind) {
-      case Corner::kEnd: break;
-      case Corner::kOnTrunk: stops.push_back({node, {1, 0}, 0, k + 1, corner.fixed, 0}); break;
-      case Corner::kFromTrunk: stop(ways_.leaving(Ways::twin(walk_.ways[k])), 1); break;
-      case Corner::kToTrunk: stop(ways_.leaving(after(k)), 1); break;
-      case Corner::kRound: {
+      case WalkCorner::kEnd: break;
+      case WalkCorner::kOnTrunk: stops.push_back({node, {1, 0}, 0, k + 1, corner.fixed, 0}); break;
+      case WalkCorner::kFromTrunk: stop(ways_.leaving(Ways::twin(walk_.ways[k])), 1); break;
+      case WalkCorner::kToTrunk: stop(ways_.leaving(after(k)), 1); break;
+      case WalkCorner::kRound: {
         const Sector s = sector(k);
         if (s.is_tip()) {
           for (const double share : {0.75, 0.5, 0.25}) stop(s.at(share), 1);
@@ -159,9 +159,9 @@ Way Ways::between(uint32_t from, uint32_t to) const {
   return found == ways.end() ? kNone : *found;
 }
 
-Way Ways::next(Way w, Side side) const {
+Way Ways::next(Way w, Hand hand) const {
   const uint32_t v = to(w), k = place_[twin(w)];
-  if (side == kLeft) return around_[k == first_[v] ? first_[v + 1] - 1 : k - 1];
+  if (hand == kLeft) return around_[k == first_[v] ? first_[v + 1] - 1 : k - 1];
   return around_[k + 1 == first_[v + 1] ? first_[v] : k + 1];
 }
 
@@ -181,7 +181,7 @@ Walk Walk::round_tree(const Ways& ways, uint32_t root, CancelToken& poll) {
   do {
     poll();
     walk.ways.push_back(way);
-    walk.corners.push_back({Corner::kRound, kLeft});
+    walk.corners.push_back({WalkCorner::kRound, kLeft});
     way = ways.next(way, kLeft);
   } while (way != first);
   return walk;
@@ -192,7 +192,7 @@ Walk Walk::along_trunk(const Ways& ways, const Trunk& trunk, CancelToken& poll) 
   walk.closed = trunk.closed;
   walk.on_trunk = true;
   walk.begins_fixed = trunk.fixed[0];
-  const auto add = [&](Way way, const Corner& corner) {
+  const auto add = [&](Way way, const WalkCorner& corner) {
     poll();
     walk.ways.push_back(way);
     walk.corners.push_back(corner);
@@ -206,16 +206,16 @@ Walk Walk::along_trunk(const Ways& ways, const Trunk& trunk, CancelToken& poll) 
   std::vector<Way> along;
   for (size_t k = 0; k < segments; ++k) along.push_back(ways.between(trunk.nodes[k], trunk.nodes[(k + 1) % count]));
   /// All ways round what leaves with a finger, and the corner after the way back to the trunk.
-  const auto walk_round = [&](Way finger, Side side, Corner::Kind back_at) {
-    for (Way way = finger;; way = ways.next(way, side)) {
+  const auto walk_round = [&](Way finger, Hand hand, WalkCorner::Kind back_at) {
+    for (Way way = finger;; way = ways.next(way, hand)) {
       const bool back = way == Ways::twin(finger);
-      add(way, {back ? back_at : Corner::kRound, side});
+      add(way, {back ? back_at : WalkCorner::kRound, hand});
       if (back) return;
     }
   };
   if (!trunk.closed) {
     const Way finger = finger_at(trunk.nodes[0], Ways::twin(along[0]), along[0]);
-    if (finger != kNone) walk_round(finger, kLeft, Corner::kRound);
+    if (finger != kNone) walk_round(finger, kLeft, WalkCorner::kRound);
   }
   for (size_t step = 0; step < segments; ++step) {
     // A closed trunk begins with the segment that leads to its first node.
@@ -226,17 +226,17 @@ Walk Walk::along_trunk(const Ways& ways, const Trunk& trunk, CancelToken& poll) 
     const Way finger = finger_at(node, along[k], ahead);
     if (finger == kNone) {
       const uint8_t fixed = trunk.fixed[(k + 1) % count];
-      add(along[k], {Corner::kOnTrunk, kLeft, last || fixed, fixed});
+      add(along[k], {WalkCorner::kOnTrunk, kLeft, last || fixed, fixed});
       continue;
     }
     if (last) {
-      add(along[k], {Corner::kRound, kLeft});
-      walk_round(finger, kLeft, Corner::kEnd);
+      add(along[k], {WalkCorner::kRound, kLeft});
+      walk_round(finger, kLeft, WalkCorner::kEnd);
       continue;
     }
-    add(along[k], {Corner::kFromTrunk, kLeft});
+    add(along[k], {WalkCorner::kFromTrunk, kLeft});
     const Vec2 across = ways.leaving(ahead) - ways.leaving(Ways::twin(along[k]));
-    walk_round(finger, cross(across, ways.leaving(finger)) > 0 ? kLeft : kRight, Corner::kToTrunk);
+    walk_round(finger, cross(across, ways.leaving(finger)) > 0 ? kLeft : kRight, WalkCorner::kToTrunk);
   }
   return walk;
 }

@@ -22,8 +22,8 @@ struct Trunk {
 using Way = uint32_t;
 
 /// On which side of a tree a curve walks: the sign of angles there.
-using Side = double;
-inline constexpr Side kLeft = 1, kRight = -1;
+using Hand = double;
+inline constexpr Hand kLeft = 1, kRight = -1;
 
 /// The edges around the nodes of a network.
 class Ways {
@@ -42,7 +42,7 @@ class Ways {
   Way between(uint32_t from, uint32_t to) const;
 
   /// The way on along the left side of the tree: the first one clockwise from where `w` came from; and along the right.
-  Way next(Way w, Side side) const;
+  Way next(Way w, Hand hand) const;
 
   /// All ways from a node.
   std::span<const Way> from_node(uint32_t v) const {
@@ -60,9 +60,9 @@ class Ways {
 };
 
 /// Where a walk may turn: after each of its ways.
-struct Corner {
+struct WalkCorner {
   enum Kind { kRound, kOnTrunk, kFromTrunk, kToTrunk, kEnd } kind;
-  Side side;
+  Hand hand;
   bool stays = false;  ///< on a trunk: whatever is near
   uint8_t fixed = 0;
   double share = 1;    ///< of the offset, at which its stops are
@@ -87,7 +87,7 @@ struct Walk {
   bool on_trunk = false;
   uint8_t begins_fixed = 0;  ///< an open one
   std::vector<Way> ways;
-  std::vector<Corner> corners;  ///< after each way
+  std::vector<WalkCorner> corners;  ///< after each way
 
   static Walk round_tree(const Ways& ways, uint32_t root, CancelToken& poll);
   static Walk along_trunk(const Ways& ways, const Trunk& trunk, CancelToken& poll);
