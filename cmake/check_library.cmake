@@ -1,12 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# cmake -DLIBRARY=... -DHEADER=... -DNM=nm -DREADELF=readelf [-DSANITIZED=ON] -P check_library.cmake
+# cmake -DLIBRARY=... -DHEADERS=FOLDER -DNM=nm -DREADELF=readelf [-DSANITIZED=ON] -P check_library.cmake
 #
-# Fails unless the shared library exports exactly the functions that the header declares, needs no
+# Fails unless the shared library exports exactly the functions that the headers declare, needs no
 # libraries but those of the compiler and the system (a sanitized one also that of the sanitizers),
 # and has no search path for them, and computes no curve with functions that differ between systems.
 
-file(READ "${HEADER}" header)
+file(GLOB files "${HEADERS}/*.h")
+set(header "")
+foreach(file IN LISTS files)
+  file(READ "${file}" text)
+  string(APPEND header "${text}")
+endforeach()
 string(REGEX MATCHALL "MEANDER_API [^;(]*(meander_[a-z_]+)\\(" declarations "${header}")
 set(declared "")
 foreach(declaration IN LISTS declarations)
@@ -15,7 +20,7 @@ foreach(declaration IN LISTS declarations)
 endforeach()
 list(LENGTH declared count)
 if(count EQUAL 0)
-  message(FATAL_ERROR "no declarations found in ${HEADER}: has MEANDER_API been renamed?")
+  message(FATAL_ERROR "no declarations found in ${HEADERS}: has MEANDER_API been renamed?")
 endif()
 
 execute_process(COMMAND "${NM}" -D --defined-only --format=posix "${LIBRARY}"

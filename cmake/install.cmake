@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# What `cmake --install` leaves for C and C++ programs: the header, the library, a CMake package
+# What `cmake --install` leaves for C and C++ programs: the headers, the library, a CMake package
 # (find_package(Meander) gives Meander::meander) and meander.pc for pkg-config. The tree works
 # wherever it is moved to.
 #
@@ -40,7 +40,7 @@ install(TARGETS meander_installed EXPORT MeanderTargets
   LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-install(FILES "${PROJECT_SOURCE_DIR}/native/include/meander/meander.h"
+install(FILES ${headers}
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/meander")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.md"
   DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -5,13 +5,16 @@
 set(generated_dir "${PROJECT_BINARY_DIR}/generated")
 configure_file(cmake/version.h.in "${generated_dir}/version.h" @ONLY)
 
-# What of the library only repeats the header.
+# The header includes one for each object.
+file(GLOB headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/native/include/meander/*.h")
+
+# What of the library only repeats them.
 add_custom_command(
   OUTPUT "${generated_dir}/structs.inc"
   COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/generate_abi.py"
           --header "${PROJECT_SOURCE_DIR}/native/include/meander/meander.h"
           --structs "${generated_dir}/structs.inc"
-  DEPENDS native/include/meander/meander.h scripts/generate_abi.py
+  DEPENDS ${headers} scripts/generate_abi.py scripts/c_header.py
   COMMENT "Making structs.inc from meander.h" VERBATIM)
 
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS

@@ -50,7 +50,7 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT CMAKE_CROSSCOMPILING)
   endforeach()
   # It looks whether there is a function that it does not try.
   target_compile_definitions(test_failing_calls PRIVATE
-    "MEANDER_HEADER=\"${PROJECT_SOURCE_DIR}/native/include/meander/meander.h\"")
+    "MEANDER_HEADERS=\"${PROJECT_SOURCE_DIR}/native/include/meander\"")
 endif()
 if(CMAKE_CROSSCOMPILING)
   return()
@@ -61,14 +61,22 @@ if(MEANDER_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   include(cmake/fuzz.cmake)
 endif()
 
-# The header is C99, and a program compiled against the first header of this ABI runs with the present library.
+# The header is C99, and a program compiled against the first declarations of this ABI runs with the present library.
+set(abi3_header "${generated_dir}/abi3/meander.h")
+add_custom_command(
+  OUTPUT "${abi3_header}"
+  COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/dump_abi.py"
+          --dump "${PROJECT_SOURCE_DIR}/tests/native/abi3.txt" --c "${abi3_header}"
+  DEPENDS tests/native/abi3.txt scripts/dump_abi.py scripts/c_header.py
+  COMMENT "Making the header of ABI 3 as it began" VERBATIM)
 foreach(client c99_client abi3_client)
   add_executable(${client} tests/native/client.c)
   target_compile_options(${client} PRIVATE -pedantic -Wall -Wextra -Werror)
   target_link_libraries(${client} PRIVATE meander m)
 endforeach()
 target_include_directories(c99_client PRIVATE native/include/meander)
-target_include_directories(abi3_client BEFORE PRIVATE tests/native/abi3)
+target_sources(abi3_client PRIVATE "${abi3_header}")
+target_include_directories(abi3_client BEFORE PRIVATE "${generated_dir}/abi3")
 add_test(NAME c99_client COMMAND c99_client "${PROJECT_VERSION}")
 add_test(NAME abi3_client COMMAND abi3_client)
 # What sanitizers check of C++ is in a run-time library that only C++ programs are linked with.
@@ -88,7 +96,7 @@ foreach(library IN LISTS shared_libraries)
   add_test(NAME exported_symbols_${library}
     COMMAND ${CMAKE_COMMAND}
             "-DLIBRARY=$<TARGET_FILE:${library}>"
-            "-DHEADER=${PROJECT_SOURCE_DIR}/native/include/meander/meander.h"
+            "-DHEADERS=${PROJECT_SOURCE_DIR}/native/include/meander"
             "-DNM=${CMAKE_NM}" "-DREADELF=${CMAKE_READELF}" "-DSANITIZED=${MEANDER_SANITIZE}"
             -P "${PROJECT_SOURCE_DIR}/cmake/check_library.cmake")
   set_tests_properties(exported_symbols_${library} PROPERTIES TIMEOUT 60)

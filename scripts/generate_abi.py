@@ -5,8 +5,7 @@ that the library itself needs.
 
 The module contains ctypes structs, enumerations, constants and prototypes, and nothing that is not
 in the header. The C++ header has the layout of every struct, its name, and the _init functions. The
-build makes both together with the library, so nothing can disagree. The parser knows the few forms
-of C that the header uses, and stops at anything else.
+build makes both together with the library, so nothing can disagree.
 
     generate_abi.py --header native/include/meander/meander.h --output addon/meander/binding/abi.py
     generate_abi.py --header native/include/meander/meander.h --structs build/generated/structs.inc
@@ -16,220 +15,10 @@ of C that the header uses, and stops at anything else.
 from __future__ import annotations
 
 import argparse
-import re
 import sys
-from dataclasses import dataclass, field
 from pathlib import Path
 
-# In C and in ctypes.
-NUMBERS = {
-    "char": "c_char",
-    "double": "c_double",
-    "float": "c_float",
-    "int32_t": "c_int32",
-    "size_t": "c_size_t",
-    "uint8_t": "c_uint8",
-    "uint32_t": "c_uint32",
-    "uint64_t": "c_uint64",
-}
-
-# Blocks of preprocessor lines that mean nothing to a binding.
-GUARD = re.compile(r"#ifndef MEANDER_H\n#define MEANDER_H\n(.*)#endif\s*\Z", re.DOTALL)
-API_MACRO = re.compile(r"#if defined\(MEANDER_STATIC\)\n.*?^#endif$", re.DOTALL | re.MULTILINE)
-EXTERN_C = re.compile(r'#ifdef __cplusplus\n(?:extern "C" \{|\})\n#endif\n')
-INCLUDE = re.compile(r"#include <\w+\.h>\n")
-CONSTANT = re.compile(r"#define (MEANDER_\w+) (\d+)\n")
-TOKEN = re.compile(r"\s*([A-Za-z_]\w*|\d+|[{}();,=*\[\]])")
-
-
-class ParseError(Exception):
-    """Something in the header that the parser does not understand."""
-
-
-@dataclass(frozen=True)
-class CType:
-    """A type of an argument, a field or a result: `base` and as many stars as `pointers`."""
-
-    base: str
-    pointers: int = 0
-    length: int | None = None  # of an array within a struct
-
-
-@dataclass
-class Header:
-    """Everything that the header declares, in its order."""
-
-    constants: dict[str, int] = field(default_factory=dict)
-    scalars: dict[str, str] = field(default_factory=dict)  # meander_status: int32_t
-    enums: dict[str, dict[str, int]] = field(default_factory=dict)  # of those that have one
-    opaque: list[str] = field(default_factory=list)
-    structs: dict[str, list[tuple[str, CType]]] = field(default_factory=dict)
-    functions: dict[str, tuple[CType, list[tuple[str, CType]]]] = field(default_factory=dict)
-
-
-class Parser:
-    def __init__(self, text: str) -> None:
-        self.header = Header()
-        self._tokens = self._split(self._without_preprocessor(text))
-        self._at = 0
-
-    def _without_preprocessor(self, text: str) -> str:
-        text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
-        text = re.sub(r"[ \t]+$", "", text, flags=re.MULTILINE)
-        guarded = GUARD.fullmatch(text.strip() + "\n")
-        if not guarded:
-            raise ParseError("there is no include guard MEANDER_H around the whole header")
-        text, count = API_MACRO.subn("", guarded[1])
-        if count != 1:
-            raise ParseError(
-                "MEANDER_API is not defined in one block that starts with MEANDER_STATIC"
-            )
-        text = INCLUDE.sub("", EXTERN_C.sub("", text))
-        for name, value in CONSTANT.findall(text):
-            self.header.constants[name] = int(value)
-        text = CONSTANT.sub("", text)
-        if "#" in text:
-            raise ParseError(
-                f"unknown preprocessor line: {text[text.index('#') :].splitlines()[0]}"
-            )
-        return text
-
-    @staticmethod
-    def _split(text: str) -> list[str]:
-        tokens, at = [], 0
-        text = text.rstrip()
-        while at < len(text):
-            match = TOKEN.match(text, at)
-            if not match:
-                raise ParseError(f"unknown character before: {text[at : at + 60]!r}")
-            tokens.append(match[1])
-            at = match.end()
-        return tokens
-
-    def _peek(self, ahead: int = 0) -> str:
-        at = self._at + ahead
-        return self._tokens[at] if at < len(self._tokens) else ""
-
-    def _next(self) -> str:
-        token = self._peek()
-        self._at += 1
-        return token
-
-    def _expect(self, wanted: str) -> None:
-        if self._peek() != wanted:
-            around = " ".join(self._tokens[max(0, self._at - 8) : self._at + 4])
-            raise ParseError(f"expected {wanted!r} instead of {self._peek()!r} in: {around}")
-        self._at += 1
-
-    def _name(self) -> str:
-        token = self._next()
-        if not re.fullmatch(r"[A-Za-z_]\w*", token):
-            raise ParseError(f"expected a name instead of {token!r}")
-        return token
-
-    def _number(self) -> int:
-        token = self._next()
-        if not token.isdigit():
-            raise ParseError(f"expected a number instead of {token!r}")
-        return int(token)
-
-    def parse(self) -> Header:
-        while self._at < len(self._tokens):
-            if self._peek() == "MEANDER_API":
-                self._function()
-            elif self._peek() == "typedef" and self._peek(1) == "struct":
-                self._struct()
-            elif self._peek() == "typedef":
-                self._scalar()
-            else:
-                raise ParseError(f"unknown declaration: {' '.join(self._tokens[self._at :][:8])}")
-        return self.header
-
-    def _scalar(self) -> None:
-        """typedef uint32_t meander_x; enum { MEANDER_X_A = 0, ... };"""
-        self._expect("typedef")
-        base, name = self._name(), self._name()
-        self._expect(";")
-        if base not in NUMBERS:
-            raise ParseError(f"{name} stands for {base}, which is no number")
-        self.header.scalars[name] = base
-        self._expect("enum")
-        self._expect("{")
-        members: dict[str, int] = {}
-        while True:
-            member = self._name()
-            if not member.startswith(name.upper() + "_"):
-                raise ParseError(f"{member} does not begin with {name.upper()}_")
-            self._expect("=")
-            members[member] = self._number()
-            if self._next() == "}":
-                break
-        self._expect(";")
-        self.header.enums[name] = members
-
-    def _struct(self) -> None:
-        """typedef struct x x; or typedef struct x { ... } x;"""
-        self._expect("typedef")
-        self._expect("struct")
-        name = self._name()
-        if self._peek() != "{":
-            self._expect(name)
-            self._expect(";")
-            self.header.opaque.append(name)
-            return
-        self._expect("{")
-        fields: list[tuple[str, CType]] = []
-        while self._peek() != "}":
-            kind = self._type()
-            member = self._name()
-            if self._peek() == "[":
-                self._expect("[")
-                kind = CType(kind.base, kind.pointers, self._number())
-                self._expect("]")
-            self._expect(";")
-            if kind.base == "void" or kind.base in self.header.structs:
-                raise ParseError(f"{name}.{member} is of type {kind.base}")
-            fields.append((member, kind))
-        self._expect("}")
-        self._expect(name)
-        self._expect(";")
-        self.header.structs[name] = fields
-
-    def _function(self) -> None:
-        self._expect("MEANDER_API")
-        result, name = self._type(), self._name()
-        self._expect("(")
-        arguments: list[tuple[str, CType]] = []
-        if self._peek() == "void" and self._peek(1) == ")":
-            self._expect("void")
-        while self._peek() != ")":
-            kind = self._type()
-            arguments.append((self._name(), kind))
-            if self._peek() != ")":
-                self._expect(",")
-        self._expect(")")
-        self._expect(";")
-        if not name.startswith("meander_") or name in self.header.functions:
-            raise ParseError(f"{name} is declared twice, or does not begin with meander_")
-        self.header.functions[name] = (result, arguments)
-
-    def _type(self) -> CType:
-        if self._peek() == "const":
-            self._expect("const")
-        base, h = self._name(), self.header
-        if base not in (*NUMBERS, "void", *h.scalars, *h.opaque, *h.structs):
-            raise ParseError(f"unknown type {base}")
-        stars = 0
-        while self._peek() == "*":
-            self._expect("*")
-            stars += 1
-        if stars == 0 and base in (*h.opaque, *h.structs):
-            raise ParseError(f"{base} is passed by value")
-        return CType(base, stars)
-
-
-# ------------------------------------------------------------------------------------------------
-# Writing
+from c_header import NUMBERS, CType, Header, ParseError, layout, read_header
 
 
 def class_name(c_name: str) -> str:
@@ -342,11 +131,6 @@ class Writer:
         raise ParseError(f"no ctypes for {kind.base}{'*' * kind.pointers}")
 
 
-# Bytes of a number where pointers have four, and a number of these bytes is aligned to as many.
-WASM_BYTES = {"char": 1, "uint8_t": 1, "float": 4, "int32_t": 4, "uint32_t": 4, "size_t": 4}
-WASM_BYTES |= {"double": 8, "uint64_t": 8}
-
-
 def javascript(header: Header) -> str:
     """An ES module: the version, the names of enumerations by number, and where WebAssembly has the
     fields of every struct.
@@ -364,19 +148,15 @@ def javascript(header: Header) -> str:
         lines.append(f"export const {class_name(name)} = {{ {pairs} }};")
     lines.append("// Name of a field: offset, kind, and of an array in place its length.")
     for name, fields in header.structs.items():
-        at, widest, entries = 0, 1, []
-        for member, kind in fields:
+        offsets, size = layout(header, fields, pointer=4)
+        entries = []
+        for (member, kind), at in zip(fields, offsets, strict=True):
             base = "size_t" if kind.pointers else header.scalars.get(kind.base, kind.base)
-            size = WASM_BYTES[base]
-            at += -at % size
             element = kind.base if kind.base in NUMBERS else "size_t"
             what = f'"{element}*"' if kind.pointers else f'"{base}"'
             length = "" if kind.length is None else f", {kind.length}"
             entries.append(f"    {member}: [{at}, {what}{length}],")
-            at += size * (kind.length or 1)
-            widest = max(widest, size)
-        at += -at % widest
-        lines += [f"export const {record_name(name)} = {{", f"  size: {at},", "  fields: {"]
+        lines += [f"export const {record_name(name)} = {{", f"  size: {size},", "  fields: {"]
         lines += [*entries, "  },", "};"]
     return "\n".join([*lines, ""])
 
@@ -423,7 +203,7 @@ def main() -> int:
     parser.add_argument("--javascript", type=Path, help="the ES module")
     arguments = parser.parse_args()
     try:
-        header = Parser(arguments.header.read_text(encoding="utf-8")).parse()
+        header = read_header(arguments.header)
         if arguments.output:
             _write(arguments.output, Writer(header).module())
         if arguments.javascript:

@@ -13,7 +13,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from generate_abi import CType, Header, Parser, class_name
+from c_header import CType, Header, read_header
+from generate_abi import class_name
 
 ROOT = Path(__file__).resolve().parents[1]
 HEADER = ROOT / "native" / "include" / "meander" / "meander.h"
@@ -192,7 +193,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--check", action="store_true", help="write nothing; fail if out of date")
     check = parser.parse_args().check
-    text = Writer(Parser(HEADER.read_text(encoding="utf-8")).parse()).text()
+    text = Writer(read_header(HEADER)).text()
     if OUTPUT.is_file() and OUTPUT.read_text(encoding="utf-8") == text:
         return 0
     if check:

@@ -101,6 +101,12 @@ namespace Meander
         public static extern Status meander_mesh_find_faults([In, Out] double[] vertices, UIntPtr vertex_count, [In, Out] uint[] faces, UIntPtr face_count, double weld_distance, [In, Out] Faults faults, IntPtr context, [In, Out] Error error);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status meander_mesh_find_closest([In, Out] double[] vertices, UIntPtr vertex_count, [In, Out] uint[] faces, UIntPtr face_count, [In, Out] double[] points, UIntPtr point_count, uint threads, [In, Out] uint[] closest_faces, [In, Out] double[] weights, [In, Out] double[] distances, IntPtr context, [In, Out] Error error);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status meander_surface_find_closest(IntPtr surface, [In, Out] double[] points, UIntPtr point_count, uint threads, [In, Out] uint[] closest_faces, [In, Out] double[] weights, [In, Out] double[] distances, IntPtr context, [In, Out] Error error);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status meander_surface_compute_curvature(IntPtr surface, Curvature curvature, double smoothing, [In, Out] double[] values, UIntPtr vertex_count, IntPtr context, [In, Out] Error error);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -117,12 +123,6 @@ namespace Meander
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status meander_surface_find_outlines(IntPtr surface, double distance, double spacing, [In, Out] Outlines outlines, IntPtr context, [In, Out] Error error);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status meander_mesh_find_closest([In, Out] double[] vertices, UIntPtr vertex_count, [In, Out] uint[] faces, UIntPtr face_count, [In, Out] double[] points, UIntPtr point_count, uint threads, [In, Out] uint[] closest_faces, [In, Out] double[] weights, [In, Out] double[] distances, IntPtr context, [In, Out] Error error);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status meander_surface_find_closest(IntPtr surface, [In, Out] double[] points, UIntPtr point_count, uint threads, [In, Out] uint[] closest_faces, [In, Out] double[] weights, [In, Out] double[] distances, IntPtr context, [In, Out] Error error);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status meander_seed_init([In, Out] Seed seed, UIntPtr struct_size);

@@ -69,8 +69,8 @@ def wrong_names(text: str, folder: Path, header: str) -> list[str]:
 
 @pytest.fixture(scope="module")
 def header() -> str:
-    path = ROOT / "native" / "include" / "meander" / "meander.h"
-    return path.read_text(encoding="utf-8")
+    folder = ROOT / "native" / "include" / "meander"
+    return "\n".join(path.read_text(encoding="utf-8") for path in sorted(folder.glob("*.h")))
 
 
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.name)

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import ctypes
 import dataclasses
-import importlib.util
 import re
+import subprocess
 import sys
+from pathlib import Path
 from types import ModuleType
 
 import pytest
@@ -15,29 +16,21 @@ from conftest import REPOSITORY
 from meander import core
 from meander.binding import abi, flow_options, native_library
 
+sys.path.append(str(REPOSITORY / "scripts"))
+import c_header  # noqa: E402
+import dump_abi  # noqa: E402
+import generate_abi  # noqa: E402
+
 HEADER = REPOSITORY / "native/include/meander/meander.h"
-TEXT = HEADER.read_text(encoding="utf-8")
-FROZEN = REPOSITORY / "tests/native/abi3/meander.h"
-
-
-def _generator() -> ModuleType:
-    spec = importlib.util.spec_from_file_location(
-        "generate_abi", REPOSITORY / "scripts/generate_abi.py"
-    )
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # its dataclasses look their module up
-    spec.loader.exec_module(module)
-    return module
-
-
-generate_abi = _generator()
+TEXT = c_header.whole_text(HEADER)
+FROZEN = REPOSITORY / "tests/native/abi3.txt"
 
 
 def module_of(text: str) -> dict[str, object]:
     """What the module made from a header holds."""
     made = ModuleType("made")
     sys.modules[made.__name__] = made  # where its dataclasses look for it
-    exec(generate_abi.Writer(generate_abi.Parser(text).parse()).module(), vars(made))
+    exec(generate_abi.Writer(c_header.Parser(text).parse()).module(), vars(made))
     return vars(made)
 
 
@@ -46,7 +39,7 @@ def module_of(text: str) -> dict[str, object]:
 
 
 def test_the_module_in_use_is_made_from_this_header() -> None:
-    parsed = generate_abi.Parser(TEXT).parse()
+    parsed = c_header.Parser(TEXT).parse()
     with open(abi.__file__, encoding="utf-8") as file:
         assert file.read() == generate_abi.Writer(parsed).module()
 
@@ -117,7 +110,7 @@ DECLARATION = "MEANDER_API uint32_t meander_abi_version(void);"
 )
 def test_what_is_not_understood_stops_the_build(new: str, complaint: str) -> None:
     assert TEXT.count(DECLARATION) == 1
-    with pytest.raises(generate_abi.ParseError, match=re.escape(complaint)):
+    with pytest.raises(c_header.ParseError, match=re.escape(complaint)):
         module_of(TEXT.replace(DECLARATION, new))
 
 
@@ -192,35 +185,56 @@ def test_the_page_lists_the_tunings() -> None:
 # The header of yesterday
 
 
-def is_reserve(name: str) -> bool:
-    return name.startswith("reserved")
+def now() -> dump_abi.Dump:
+    return dump_abi.dump_of(c_header.Parser(TEXT).parse())
+
+
+def then() -> dump_abi.Dump:
+    return dump_abi.read_dump(FROZEN.read_text(encoding="utf-8"))
+
+
+def test_what_is_written_down_can_be_read_again() -> None:
+    assert dump_abi.text_of(then()) == FROZEN.read_text(encoding="utf-8")
+    assert dump_abi.read_dump(dump_abi.text_of(now())) == now()
+
+
+def test_layouts_are_written_down_as_the_library_has_them() -> None:
+    for name, record in abi.STRUCTS.items():
+        offsets = {member: at for member, (at, _) in now().fields[name].items()}
+        assert offsets == {m: getattr(record, m).offset for m, _ in record._fields_}, name
+        assert now().sizes[name] == ctypes.sizeof(record), name
 
 
 def test_what_was_declared_when_this_abi_began_still_stands() -> None:
-    then, now = (
-        generate_abi.Parser(p.read_text(encoding="utf-8")).parse() for p in (FROZEN, HEADER)
-    )
-    assert then.constants["MEANDER_ABI_VERSION"] == now.constants["MEANDER_ABI_VERSION"]
-    for name, function in then.functions.items():
-        assert now.functions.get(name) == function, name
-    for name, kind in then.scalars.items():
-        assert now.scalars.get(name) == kind, name
-        assert now.enums[name].items() >= then.enums[name].items()
-    assert set(then.opaque) <= set(now.opaque)
+    old, new = then(), now()
+    assert old.constants["MEANDER_ABI_VERSION"] == new.constants["MEANDER_ABI_VERSION"]
+    assert old.functions.items() <= new.functions.items()
+    assert old.scalars.items() <= new.scalars.items()
+    for name, members in old.enums.items():
+        assert members.items() <= new.enums[name].items()
+    assert set(old.opaque) <= set(new.opaque)
 
 
 def test_structs_have_only_grown_since_this_abi_began() -> None:
-    then, now = (module_of(p.read_text(encoding="utf-8")) for p in (FROZEN, HEADER))
-    for name, old in then["STRUCTS"].items():
-        new = now["STRUCTS"][name]
-        assert ctypes.sizeof(new) >= ctypes.sizeof(old), name
-        kinds = dict(new._fields_)
-        for field, kind in old._fields_:
-            if is_reserve(field):
-                continue
-            assert getattr(new, field).offset == getattr(old, field).offset, (name, field)
-            assert ctypes.sizeof(kinds[field]) == ctypes.sizeof(kind), (name, field)
-        if "reserved" in dict(old._fields_):
+    old, new = then(), now()
+    for name, fields in old.fields.items():
+        assert new.sizes[name] >= old.sizes[name], name
+        kept = {field: what for field, what in fields.items() if not field.startswith("reserved")}
+        assert kept.items() <= new.fields[name].items(), name
+        if "reserved" in fields:
             # Fields that came later were cut from the beginning of the reserve.
-            ends = [s.reserved.offset + s.reserved.size for s in (old, new)]
-            assert ends[0] == ends[1] == ctypes.sizeof(old), name
+            ends = [end_of_reserve(dump, name) for dump in (old, new)]
+            assert ends[0] == ends[1] == old.sizes[name], name
+
+
+def end_of_reserve(dump: dump_abi.Dump, name: str) -> int:
+    at, what = dump.fields[name]["reserved"]
+    base, length = re.fullmatch(r"(\w+) reserved\[(\d+)\]", what).groups()
+    return at + int(length) * c_header.BYTES.get(base, dump_abi.POINTER)
+
+
+@pytest.mark.parametrize("file", sorted(HEADER.parent.glob("*.h")), ids=lambda path: path.name)
+def test_a_header_brings_what_it_needs(file: Path) -> None:
+    command = ["cc", "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"]
+    done = subprocess.run([*command, "-x", "c", file], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stderr

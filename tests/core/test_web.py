@@ -6,7 +6,6 @@ scripts/test_web.sh runs it.
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import re
 import sys
@@ -15,22 +14,17 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "scripts"))
+from c_header import read_header  # noqa: E402
+from generate_abi import javascript  # noqa: E402
+
 SOURCES = sorted((ROOT / "web" / "src").glob("*.mjs"))
 TEXT = "\n".join(file.read_text(encoding="utf-8") for file in SOURCES)
 
 
-def generator():
-    spec = importlib.util.spec_from_file_location("generate_abi", ROOT / "scripts/generate_abi.py")
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # where dataclasses look
-    spec.loader.exec_module(module)
-    return module
-
-
 @pytest.fixture(scope="module")
 def header():
-    path = ROOT / "native" / "include" / "meander" / "meander.h"
-    return generator().Parser(path.read_text(encoding="utf-8")).parse()
+    return read_header(ROOT / "native" / "include" / "meander" / "meander.h")
 
 
 def camel_case(name: str) -> str:
@@ -44,15 +38,14 @@ def test_what_the_binding_calls_is_in_the_header(header):
 
 
 def test_what_the_binding_takes_from_the_header_is_there(header):
-    module = generator()
-    text = module.javascript(header)
+    text = javascript(header)
     exported = set(re.findall(r"^export const (\w+)", text, re.MULTILINE))
     assert set(re.findall(r"\babi\.([A-Z]\w+)", TEXT)) <= exported
 
 
 def test_structs_are_laid_out_as_webassembly_has_them(header):
     """Pointers and sizes have four bytes there; doubles are aligned to eight."""
-    text = generator().javascript(header)
+    text = javascript(header)
     record = re.search(r"export const SeedRecord = \{.*?^\};", text, re.DOTALL | re.MULTILINE)[0]
     found = {name: int(at) for name, at in re.findall(r"(\w+): \[(\d+),", record)}
     assert found == {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A client in C99, through the shared library, built twice: c99_client with meander.h, and abi3_client with
- * the frozen header in abi3, as a program that was compiled when this ABI was new. What it does works for
+ * the declarations of abi3.txt, as a program that was compiled when this ABI was new. What it does works for
  * as long as the ABI number is 3. Also checked is what the header promises about structs of other sizes.
  * Usage: c99_client [VERSION] */
 #include "meander.h"

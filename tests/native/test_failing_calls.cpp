@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -586,14 +587,16 @@ INSTANTIATE_TEST_SUITE_P(Results, FailingCall, testing::ValuesIn(result_calls())
 INSTANTIATE_TEST_SUITE_P(Getters, FailingCall, testing::ValuesIn(getters()), name_of);
 INSTANTIATE_TEST_SUITE_P(Silent, FailingCall, testing::ValuesIn(calls_that_cannot_fail()), name_of);
 
-#ifdef MEANDER_HEADER
-/// The functions that the header declares.
+#ifdef MEANDER_HEADERS
+/// The functions that the headers declare.
 std::set<std::string> declared_functions() {
-  std::ifstream file(MEANDER_HEADER);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
   const std::regex declaration("\\bMEANDER_API [^;(]*\\b(meander_\\w+)\\(");
   std::set<std::string> names;
-  for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at) names.insert((*at)[1]);
+  for (const auto& entry : std::filesystem::directory_iterator(MEANDER_HEADERS)) {
+    std::ifstream file(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at) names.insert((*at)[1]);
+  }
   return names;
 }
 

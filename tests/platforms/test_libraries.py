@@ -19,7 +19,8 @@ def output(*command: str | Path) -> str:
 
 
 def declared() -> set[str]:
-    header = (ROOT / "native/include/meander/meander.h").read_text()
+    headers = (ROOT / "native/include/meander").glob("*.h")
+    header = "\n".join(path.read_text() for path in headers)
     names = set(re.findall(r"MEANDER_API [^;(]*\b(meander_[a-z_0-9]+)\(", header))
     assert len(names) > 40
     return names
