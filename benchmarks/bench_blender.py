@@ -56,6 +56,7 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, os.environ.get("MEANDER_ADDON_PARENT", str(ROOT / "addon")))
+sys.path.append(str(ROOT / "benchmarks"))
 
 import meander  # noqa: E402
 from meander import core  # noqa: E402
@@ -64,53 +65,13 @@ from meander.run.plan import plan_run  # noqa: E402
 from meander.run.preview import GrowingCurve, Preview  # noqa: E402
 from meander.run.stepper import Stepper  # noqa: E402
 from meander.scene import curve_writer, transforms  # noqa: E402
+from moments import Moment, Tally  # noqa: E402
 
 # The spacing that takes about this many nodes; the run converges before the limit.
 SPACING, NODES, ITERATIONS = 0.04, 50_000, 400
 POINTS, STRANDS = 200_000, 20
-
 BARE_SECONDS, MOST_REDRAWS = 1.0, 200
 ROWS = ("bare", "picture", "write", "watched")
-
-
-class Tally:
-    """What has been counted since the start of a run."""
-
-    def __init__(self) -> None:
-        self.redraws = self.panel_redraws = self.shown = self.ticks = 0
-        self.tick_cpu = 0.0
-        self.begin = Moment()
-        self.known = self.begin
-
-
-def busy_seconds() -> float:
-    """Of all processors and all programs since the machine started; 0 where that is unknown."""
-    try:
-        with open("/proc/stat") as file:
-            user, nice, system = (int(ticks) for ticks in file.readline().split()[1:4])
-    except OSError:
-        return 0.0
-    return (user + nice + system) / os.sysconf("SC_CLK_TCK")
-
-
-class Moment:
-    def __init__(self) -> None:
-        self.clock, self.cpu = time.perf_counter(), time.process_time()
-        self.main_cpu = time.thread_time()
-        self.busy = busy_seconds()
-
-    def others_since(self, earlier: Moment) -> float:
-        """How many processors other programs kept busy: above 0, clock times say little."""
-        others = self.busy - earlier.busy - (self.cpu - earlier.cpu)
-        return max(0.0, others / (self.clock - earlier.clock))
-
-    def since(self, earlier: Moment) -> tuple[float, float, float]:
-        """Seconds of the clock, of all processors, and of this thread."""
-        return (
-            self.clock - earlier.clock,
-            self.cpu - earlier.cpu,
-            self.main_cpu - earlier.main_cpu,
-        )
 
 
 tally = Tally()
@@ -150,10 +111,6 @@ def note_end(original: Callable) -> Callable:
         return original(self, context)
 
     return keep
-
-
-# ------------------------------------------------------------------------------------------------
-# The window
 
 
 def build_scene() -> bpy.types.Object:
@@ -216,10 +173,6 @@ def repeated(work: Callable[[], None]) -> tuple[float, float, float]:
         now = Moment()
     clock, cpu, main = now.since(begin)
     return clock / calls, cpu / calls, main / calls
-
-
-# ------------------------------------------------------------------------------------------------
-# The rows
 
 
 def bare_figures() -> dict[str, float]:

@@ -50,6 +50,7 @@ from .binding.context import Context
 from .binding.cost import Cost, Extent, estimate_cost
 from .binding.curve import Gaps, Nodes, PointData, Polylines, Preview
 from .binding.cut import NO_STRAND, CutSurface, cut_surface
+from .binding.errors import STATUS_NO_LIBRARY, MeanderError
 from .binding.files import (
     TextPolygons,
     read_numbers,
@@ -60,11 +61,10 @@ from .binding.files import (
 from .binding.flow import Flow
 from .binding.flow_options import FlowOptions, default_options, option_warnings
 from .binding.maps import CutPlaces, MapPixels, cut_places, map_pixels
+from .binding.mesh_search import Closest, Faults, find_closest, find_faults
 from .binding.named import unknown_name
 from .binding.native_library import (
     LIBRARY_VARIABLE,
-    STATUS_NO_LIBRARY,
-    MeanderError,
     library_notice,
     library_path,
     library_version,
@@ -72,14 +72,7 @@ from .binding.native_library import (
 )
 from .binding.seed import Seed
 from .binding.spacing import area_of, automatic_spacing, spacing_for
-from .binding.surface import (
-    Closest,
-    Faults,
-    Surface,
-    SurfaceOptions,
-    find_closest,
-    find_faults,
-)
+from .binding.surface import Surface, SurfaceOptions
 
 # What hosts use; they import nothing else of these modules.
 __all__ = [

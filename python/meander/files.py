@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from .core import CutSurface, Flow, Seed, library_version, unknown_name
 from .model import cut as cut_files
-from .model import export
+from .model import export, export_checks
 from .model.files import meshes
 from .model.files.obj import read_obj_curve, write_obj_curve
 from .model.files.whole import FileError, whole_file
@@ -79,16 +79,8 @@ def write_curve(
     Raises FileError: the file cannot be written, or an option means nothing for its format.
     """
     path = Path(path)
+    _refuse(path, step, tolerance)
     suffix, kind = export.suffix_of(path), export.format_of(path)
-    if suffix not in _CURVES:
-        raise FileError(
-            f"{path} is no {', '.join(_CURVES[:-1])} or {_CURVES[-1]} file; choose another suffix"
-        )
-    if step is not None and tolerance is not None:
-        raise FileError("step and tolerance are both given; choose one")
-    for name, length in (("step", step), ("tolerance", tolerance)):
-        if length is not None and not length > 0.0:
-            raise FileError(f"{name} {length!r} is not greater than 0")
     values = drawing_values(suffix, kind, drawing)
     if kind is not None and export.lacks_plane(kind, values):
         raise FileError('arcs lie in a plane; choose a layout that is flat, such as "top"')
@@ -106,12 +98,24 @@ def write_curve(
         return
     spacing = float(flow.statistics()["spacing_target"])
     drawn = export.prepared(strands, kind, values, metres=1.0, spacing=spacing)
-    problem = export.unusable(drawn, kind, values)
+    problem = export_checks.unusable(drawn, kind, values)
     if problem is not None:
         way = "choose another layout" if problem.edge else "choose a size or scale"
         raise FileError(f"the drawing {problem.what}; {way}, or force=True")
     title = path.name[: -len(suffix)]
     export.write(path, kind, drawn, values, title, library_version(), frame_id=frame_id)
+
+
+def _refuse(path: Path, step: float | None, tolerance: float | None) -> None:
+    if export.suffix_of(path) not in _CURVES:
+        raise FileError(
+            f"{path} is no {', '.join(_CURVES[:-1])} or {_CURVES[-1]} file; choose another suffix"
+        )
+    if step is not None and tolerance is not None:
+        raise FileError("step and tolerance are both given; choose one")
+    for name, length in (("step", step), ("tolerance", tolerance)):
+        if length is not None and not length > 0.0:
+            raise FileError(f"{name} {length!r} is not greater than 0")
 
 
 def write_cut(path: str | Path, cut: CutSurface, spacing: float) -> None:

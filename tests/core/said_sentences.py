@@ -17,7 +17,7 @@ from pathlib import Path
 PACKAGE = Path(__file__).resolve().parents[2] / "addon" / "meander"
 NATIVE = PACKAGE.parents[1] / "native" / "src"
 ERRORS = {
-    "BadInput", "FileError", "MeanderError", "_Malformed", "_Short", "ArgumentTypeError",
+    "BadInput", "FileError", "MeanderError", "Malformed", "Short", "ArgumentTypeError",
     "JobError", "DataError",
 }  # fmt: skip
 FINDERS = re.compile(

@@ -126,11 +126,11 @@ import os, signal, threading, time
 import numpy as np
 import geometry
 from meander import core
-from meander.binding import files, flow as flows, native_library
+from meander.binding import calls, files, flow_run as flows
 from meander.model import opening, problem
 
 armed, ended = [], []
-real = native_library.heard
+real = calls.heard
 
 def watched(work, cancel):
     def noted():
@@ -140,7 +140,7 @@ def watched(work, cancel):
         return ended[-1]
     return real(noted, cancel)
 
-for module in (files, flows, native_library):
+for module in (files, flows, calls):
     module.heard = watched
 mesh = geometry.grid(200)
 options = core.default_options("even")

@@ -16,8 +16,8 @@ import numpy as np
 import pytest
 from conftest import PACKAGE
 from meander import core
+from meander.binding import calls, native_library
 from meander.binding import flow as flow_module
-from meander.binding import native_library
 from sentences import assert_sentence
 
 # A machine under load may let a thread wait this long before a test calls it stuck.
@@ -159,7 +159,7 @@ def test_results_last_as_long_as_any_of_their_arrays(monkeypatch) -> None:
 
     flow = new_flow(radius=0.1)
     flow.step()
-    monkeypatch.setattr(native_library, "native", Watched)
+    monkeypatch.setattr(calls, "native", Watched)
     gaps = flow.gaps()
     flow.close()
     assert len(gaps) >= 1

@@ -20,7 +20,8 @@ import numpy as np
 import pytest
 from meander import core
 from meander.binding import abi, files
-from meander.binding.native_library import native, prepared
+from meander.binding.calls import prepared
+from meander.binding.native_library import native
 from said_sentences import native_sentences
 from sentences import assert_sentence
 

@@ -8,9 +8,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from ctypes import byref, c_void_p
 
+from .calls import call
 from .choices import PHASES
+from .errors import MeanderError
+from .handle import Handle
 from .interruption import Cancel, is_heard
-from .native_library import Handle, MeanderError, call, native
+from .native_library import native
 
 
 class Context(Handle):

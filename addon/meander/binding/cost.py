@@ -7,8 +7,9 @@ from ctypes import byref
 from dataclasses import dataclass
 
 from .abi import CostRecord, ExtentRecord
+from .calls import call, prepared
 from .flow_options import FlowOptions, options_record
-from .native_library import call, native, prepared
+from .native_library import native
 
 
 @dataclass(frozen=True)

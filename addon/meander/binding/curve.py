@@ -11,7 +11,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .native_library import MeanderError
+from .calls import Found
+from .errors import MeanderError
+from .handle import narrow_offsets
 
 
 class Polylines(NamedTuple):
@@ -188,3 +190,14 @@ def poly_data_of(curve: Polylines, data: PointData | None) -> Any:
         made.point_data[name] = values
     made.cell_data["strand"] = np.arange(len(orders))
     return made
+
+
+def polylines_of(found: Found, normals: NDArray[np.float64]) -> Polylines:
+    """A curve as the library has handed it out, meander_polylines or meander_preview."""
+    record = found.record
+    return Polylines(
+        found.array("positions", record.point_count, 3),
+        normals,
+        narrow_offsets(found.array("offsets", record.strand_count + 1)),
+        found.array("closed", record.strand_count),
+    )

@@ -9,9 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .abi import CutRecord
+from .calls import Found
 from .context import Context, pointer_of
 from .flow import Flow
-from .native_library import Found, narrow_offsets, native
+from .handle import narrow_offsets
+from .native_library import native
 
 NO_STRAND = 2**32 - 1
 

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .errors import MeanderError
 from .files import triangulated
-from .native_library import MeanderError, checked_array
+from .handle import checked_array
 
 
 def mesh_arrays(

@@ -13,8 +13,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .abi import PolygonsRecord, Text, TrianglesRecord
+from .calls import Found, call
+from .handle import address_of, checked_array
 from .interruption import heard
-from .native_library import Found, address_of, call, checked_array, native
+from .native_library import native
 
 
 class TextPolygons(NamedTuple):

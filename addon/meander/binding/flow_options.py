@@ -9,9 +9,12 @@ from ctypes import byref, c_double, c_size_t, c_uint32
 from dataclasses import dataclass, fields
 
 from .abi import FlowOptionFields, FlowOptionsRecord
+from .calls import call, prepared
 from .choices import PRESETS
+from .errors import MeanderError
+from .handle import chosen
 from .named import only_its_names
-from .native_library import MeanderError, call, chosen, native, prepared
+from .native_library import native
 
 
 @only_its_names

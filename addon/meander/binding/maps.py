@@ -10,9 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .abi import CutRecord
+from .calls import call, prepared
 from .context import Context, pointer_of
 from .cut import CutSurface
-from .native_library import address_of, call, checked_array, native, prepared
+from .handle import address_of, checked_array
+from .native_library import native
 
 
 class MapPixels(NamedTuple):

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from dataclasses import fields
 from typing import Any, TypeVar
 
-from .native_library import MeanderError
+from .errors import MeanderError
 
 _Class = TypeVar("_Class", bound=type)
 

@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .abi import SeedRecord, Status
+from .calls import prepared
+from .errors import MeanderError
+from .handle import address_of, checked_array
 from .named import only_its_names
-from .native_library import MeanderError, address_of, checked_array, prepared
 
 
 @only_its_names

@@ -6,37 +6,27 @@ from __future__ import annotations
 import copy
 from ctypes import byref
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .abi import (
     ExtentRecord,
-    FaultsRecord,
     OutlinesRecord,
     SurfaceOptionsRecord,
     SurfaceStatisticsRecord,
 )
+from .calls import Found, call, figures_of, prepared
 from .choices import CURVATURES, DIRECTIONS
 from .context import Context, pointer_of
 from .cost import Extent
 from .elsewhere import mesh_arrays
+from .errors import MeanderError
+from .handle import Handle, address_of, checked_array, chosen, created, narrow_offsets
+from .mesh_search import Closest, _closest
 from .named import only_its_names
-from .native_library import (
-    Found,
-    Handle,
-    MeanderError,
-    address_of,
-    call,
-    checked_array,
-    chosen,
-    created,
-    figures_of,
-    narrow_offsets,
-    native,
-    prepared,
-)
+from .native_library import native
 from .seed import Seed
 
 
@@ -109,91 +99,6 @@ def _surface_options_record(
         setattr(record, name, address_of(array))
         setattr(record, f"{name}_count", len(array))
     return record, tuple(arrays)
-
-
-class Faults(NamedTuple):
-    """All faults of a mesh.
-
-    kinds      (n,) uint32: places in FAULTS, rising
-    elements   (n, 2) uint32: a vertex or a face twice, or the two vertices of an edge
-    """
-
-    kinds: NDArray[np.uint32]
-    elements: NDArray[np.uint32]
-
-
-def find_faults(vertices: ArrayLike, faces: ArrayLike, weld_distance: float = 0.0) -> Faults:
-    """All that is wrong with a mesh, where Surface names the first; see meander_mesh_find_faults.
-
-    vertices, faces   as for Surface; coordinates may be anything
-    weld_distance     how near to each other boundary edges count as a seam; 0: none do
-
-    Raises MeanderError for a mesh without faces and for indices out of range.
-    """
-    vertex_array, face_array = mesh_arrays(vertices, faces)
-    found = Found(FaultsRecord)
-    with pointer_of(None) as cancelling:
-        record = found.fill(
-            native().meander_mesh_find_faults,
-            address_of(vertex_array),
-            len(vertex_array),
-            address_of(face_array),
-            len(face_array),
-            float(weld_distance),
-            context=(cancelling,),
-        )
-    return Faults(found.array("kinds", record.count), found.array("elements", record.count, 2))
-
-
-class Closest(NamedTuple):
-    """The points of a mesh nearest to some points in space, in their order.
-
-    faces      (n,) uint32; of several that are equally near the first
-    weights    (n, 3) float64, weights of the face's vertices in its order, >= 0; sum 1
-    distances  (n,) float64; infinite where that is no double
-    """
-
-    faces: NDArray[np.uint32]
-    weights: NDArray[np.float64]
-    distances: NDArray[np.float64]
-
-
-def find_closest(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    points: ArrayLike,
-    threads: int = 0,
-    context: Context | None = None,
-) -> Closest:
-    """The nearest points of any list of triangles, however faulty; see meander_mesh_find_closest.
-
-    vertices, faces   as for Surface; faces at a vertex that is not finite are left out
-    points            (n, 3) float64, finite, in the same unit
-    threads           at most 256; 0: as many as the machine has; the result is the same
-
-    Every call makes a tree of the faces. Raises MeanderError for points that are not finite, a mesh
-    without faces that lie anywhere, indices out of range, and soon after `context` has been
-    cancelled.
-    """
-    vertex_array, face_array = mesh_arrays(vertices, faces)
-    mesh = (address_of(vertex_array), len(vertex_array), address_of(face_array), len(face_array))
-    return _closest(native().meander_mesh_find_closest, mesh, points, threads, context)
-
-
-def _closest(
-    function: Any,
-    mesh: tuple[int | None, ...],
-    points: ArrayLike,
-    threads: int,
-    context: Context | None,
-) -> Closest:
-    asked = checked_array("the points", points, np.float64, 3)
-    count = len(asked)
-    found = Closest(np.empty(count, np.uint32), np.empty((count, 3)), np.empty(count))
-    arrays = tuple(address_of(array) for array in found)
-    with pointer_of(context) as cancelling:
-        call(function, *mesh, address_of(asked), count, int(threads), *arrays, cancelling)
-    return found
 
 
 # Figures that reports know by another name than the C header.

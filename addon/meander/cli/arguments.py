@@ -61,6 +61,28 @@ def parser(place: Place) -> argparse.ArgumentParser:
         allow_abbrev=False,
     )
     add = parser.add_argument
+    _add_files(parser)
+    flags.add_flags(parser)
+    target_length.add_options(parser)
+    limits.add_failing(parser)
+    add("--quiet", action="store_true", help="print nothing but errors")
+    add("--version", action="version", version=f"Meander {core.VERSION}")
+    density.add_options(parser)
+    terms.add_options(parser)
+    strands.add_options(parser)
+    preparation.add_options(parser)
+    toolpath.add_options(parser)
+    export.add_options(parser)
+    motion.add_options(parser)
+    cut.add_options(parser)
+    maps.add_options(parser)
+    limits.add_options(parser)
+    return parser
+
+
+def _add_files(parser: argparse.ArgumentParser) -> None:
+    """What is read and written."""
+    add = parser.add_argument
     add(
         "--input",
         type=file_name,
@@ -102,22 +124,6 @@ def parser(place: Place) -> argparse.ArgumentParser:
         metavar="NAME",
         help="curve object in the .blend; its ends stay put if the surface's settings say so",
     )
-    flags.add_flags(parser)
-    target_length.add_options(parser)
-    limits.add_failing(parser)
-    add("--quiet", action="store_true", help="print nothing but errors")
-    add("--version", action="version", version=f"Meander {core.VERSION}")
-    density.add_options(parser)
-    terms.add_options(parser)
-    strands.add_options(parser)
-    preparation.add_options(parser)
-    toolpath.add_options(parser)
-    export.add_options(parser)
-    motion.add_options(parser)
-    cut.add_options(parser)
-    maps.add_options(parser)
-    limits.add_options(parser)
-    return parser
 
 
 @cache

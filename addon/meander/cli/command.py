@@ -88,10 +88,7 @@ def _filled(
     options = given.problem.options
     if spacing.is_automatic(arguments) and not warned:
         place.say(f"meander: {spacing.sentence(arguments.spacing)}")
-    warnings = [*given.warnings, *core.option_warnings(options)]
-    library = core.library_notice()
-    if library:
-        warnings.insert(0, library)
+    warnings = _warnings_of(given)
     for warning in () if warned else warnings:
         place.warn(warning)
     opened = _open(given, arguments, place)
@@ -115,19 +112,9 @@ def _filled(
             # Not all that has grown, or another line.
             if line is not grown or arguments.leave_out_guides or arguments.round:
                 figures["length"] = length_of(line)
-            if search is not None:
-                length = figures["length"]
-                place.say(
-                    f"meander: at a spacing of {arguments.spacing:.6g} the curve is {length:.6g} "
-                    "long"
-                )
-                following = search.following(arguments.spacing, length)
-                if following is not None:
-                    arguments.spacing = following
-                    return None
-            if opened.cost.nodes > LARGE:
-                place.say("meander: looking for gaps")
-            gaps = flow.gaps()
+            if search is not None and _asks_again(search, figures["length"], arguments, place):
+                return None
+            gaps = _gaps_of(flow, opened, place)
             record = report.build_report(
                 core.library_version(),
                 opened.figures,
@@ -143,10 +130,47 @@ def _filled(
         warnings.append(_of_empty(empty, figures, given))
         if not arguments.fail_on_gaps:  # which says it at the end
             place.warn(warnings[-1])
-    asked_full = given.problem.options.start == core.Start.FULL
-    record["start"] = start.entry(figures, asked_full)
     record["mirror"] = of_mirror
     record["warnings"] = warnings
+    _complete(record, arguments, given, opened, grown, figures)
+    return given, opened, grown, figures, record, empty
+
+
+def _gaps_of(flow: core.Flow, opened: Opened, place: Place) -> core.Gaps:
+    if opened.cost.nodes > LARGE:
+        place.say("meander: looking for gaps")
+    return flow.gaps()
+
+
+def _warnings_of(given: Input) -> list[str]:
+    """What there is to warn of before a run."""
+    warnings = [*given.warnings, *core.option_warnings(given.problem.options)]
+    library = core.library_notice()
+    return [library, *warnings] if library else warnings
+
+
+def _asks_again(
+    search: target_length.Search, length: float, arguments: argparse.Namespace, place: Place
+) -> bool:
+    """Whether a search for a length needs another run, whose spacing is then in the arguments."""
+    place.say(f"meander: at a spacing of {arguments.spacing:.6g} the curve is {length:.6g} long")
+    following = search.following(arguments.spacing, length)
+    if following is not None:
+        arguments.spacing = following
+    return following is not None
+
+
+def _complete(
+    record: dict[str, Any],
+    arguments: argparse.Namespace,
+    given: Input,
+    opened: Opened,
+    grown: Grown,
+    figures: dict[str, Any],
+) -> None:
+    """What a report says beside the figures of the flow."""
+    asked_full = given.problem.options.start == core.Start.FULL
+    record["start"] = start.entry(figures, asked_full)
     record["estimate"] = asdict(opened.cost)
     record["lines"] = {
         "parts": int(opened.figures["components"]),
@@ -160,7 +184,6 @@ def _filled(
             "place": bend.place.tolist(),
             "strand": bend.strand,
         }
-    return given, opened, grown, figures, record, empty
 
 
 def _of_empty(empty: Empty, figures: dict[str, Any], given: Input) -> str:

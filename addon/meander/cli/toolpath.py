@@ -31,6 +31,17 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group(
         "tool paths", "How densely the points of an --output for machines lie."
     )
+    _add_points(group)
+    _add_way(group)
+    _add_poses(group)
+    flags.add_flags(
+        parser.add_argument_group("light results", "How many points the curve keeps."),
+        "light results",
+    )
+    _add_turns(group)
+
+
+def _add_points(group: argparse._ArgumentGroup) -> None:
     add = group.add_argument
     add(
         "--resample-step",
@@ -58,6 +69,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="how much neighbouring parts have in common; negative: the gap between them; default: "
         "0",
     )
+
+
+def _add_way(group: argparse._ArgumentGroup) -> None:
+    add = group.add_argument
     for option, what in (
         ("begin-at", "begin with the strand nearest to this place, there, or at its nearer end"),
         ("go-on-from", "leave out what comes before the place of the line nearest to this one"),
@@ -74,6 +89,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="follow the line from its end to its beginning, of --go-on-from what is left of it",
     )
+
+
+def _add_poses(group: argparse._ArgumentGroup) -> None:
+    add = group.add_argument
     add(
         "--poses",
         action="store_true",
@@ -91,10 +110,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="an --output of kind .obj has one l line for each strand, or for each pair of points, "
         "which is all that Blender 3.4 reads of a line; default: strands",
     )
-    flags.add_flags(
-        parser.add_argument_group("light results", "How many points the curve keeps."),
-        "light results",
-    )
+
+
+def _add_turns(group: argparse._ArgumentGroup) -> None:
+    add = group.add_argument
     add(
         "--round",
         type=reader(float, 0.0, _MOST_ROUND),

@@ -73,18 +73,17 @@ def build_report(
         },
         "empty": empty_of(gaps).entry(),
         "gap_count": len(gaps),
-        "gaps": [
-            {"position": position, "radius": radius, "size": size}
-            for position, radius, size in zip(
-                gaps.positions[:MOST_GAPS].tolist(),
-                gaps.radii[:MOST_GAPS].tolist(),
-                gaps.sizes[:MOST_GAPS].tolist(),
-            )
-        ],
+        "gaps": _largest(gaps),
         "history": [{key: record[key] for key in _HISTORY_KEYS} for record in history],
         "seconds": {stage: flow[f"seconds_{stage}"] for stage in _STAGES},
     }
     return _plain(report)
+
+
+def _largest(gaps: Gaps) -> list[dict[str, Any]]:
+    columns = (gaps.positions, gaps.radii, gaps.sizes)
+    rows = zip(*(column[:MOST_GAPS].tolist() for column in columns))
+    return [dict(zip(("position", "radius", "size"), row)) for row in rows]
 
 
 def _plain(value: Any) -> Any:

@@ -124,6 +124,15 @@ def of_plan(plan: Plan) -> Estimate:
     return estimated(extent_of_problem(problem), problem.options, bevelled, speeds, symmetric)
 
 
+def of_plan_or_none(plan: Plan) -> Estimate | None:
+    """The same; None where the run will report why there is none."""
+    try:
+        return of_plan(plan)
+    except core.MeanderError:
+        return None
+
+
+
 def extent_of_problem(problem: Problem) -> core.Extent:
     """What there is to fill. Raises core.MeanderError for a mesh at fault."""
     return _extent(

@@ -98,6 +98,15 @@ def plan_of(
         return _plan_of(active, scene, depsgraph, restart, beside)
 
 
+def _ask_more(problem: Problem, settings: bpy.types.PropertyGroup, matrix: np.ndarray) -> None:
+    """What the settings ask of a run beside its seed and its fields."""
+    problem.least_bend_radius = float(f"{settings.least_bend_radius:.6g}")
+    if settings.mirror != "NONE":
+        problem.mirror = mirror_of(settings.mirror.lower(), matrix)
+    if settings.start == OF_PRESET.upper():
+        begin_along_directions(problem)
+
+
 def _plan_of(
     active: bpy.types.Object | None,
     scene: bpy.types.Scene,
@@ -128,16 +137,11 @@ def _plan_of(
     if beside:
         earlier = None
         options.variation = results.next_variation(surface, settings.variation)
-    least_bend = float(f"{settings.least_bend_radius:.6g}")
     problem = Problem(
-        vertices, faces, options, seed, density, prepared, directions, alignment.kind, outline,
-        least_bend,
-    )  # fmt: skip
+        vertices, faces, options, seed, density, prepared, directions, alignment.kind, outline
+    )
     matrix = matrix_of(surface, depsgraph)
-    if settings.mirror != "NONE":
-        problem.mirror = mirror_of(settings.mirror.lower(), matrix)
-    if settings.start == OF_PRESET.upper():
-        begin_along_directions(problem)
+    _ask_more(problem, settings, matrix)
     plan = Plan(
         problem=problem,
         home=HomeScene(scene, depsgraph.view_layer),

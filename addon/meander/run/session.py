@@ -9,38 +9,33 @@ hold.
 from __future__ import annotations
 
 import math
-import os
 import time
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 import bpy
-import numpy as np
 
 from .. import core
 from ..model import strands
 from ..model.estimate import Estimate, Remaining, in_words, told
-from ..model.preparation import refusal
-from ..model.toolpaths import bridges
 from ..scene.errors import DataError
 from ..scene.home_scene import Choice
 from ..scene.identity import Key, number_of
 from ..scene.lengths import length_text
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import in_polygons
-from ..scene.preparation import remember_problem
-from ..scene.results import is_present
 from . import edit_mode, estimate, live, one_step, seeds, suspended
 from .lasting import Activity
 from .meaning import meaning_of
 from .plan import Plan, with_looks
 from .preview import Preview
+from .refusal import explain_refusal, refuse_deleted
 from .result import preparation_text, write_result
 from .rounding import tolerance_for
 from .stepper import Snapshot, Stepper
 from .suspended import SuspendedRun
-from .window import Window
+from .window import Window, leave_a_processor
 
 # How often the settings are looked at for other wishes, in seconds, and what share of the time that
 # may take: reading a density takes as long as the mesh is large.
@@ -52,21 +47,6 @@ STALE = 0.25
 DRAWN_IN = 2.0
 # Of what a run with Live on would not have begun by itself.
 VERY_LARGE = "The curve would be very large; fill the mesh again for that"
-
-
-def _leave_one(options: core.FlowOptions) -> None:
-    """Leaves one processor to the window, which draws, where that is not half of them."""
-    processors = os.cpu_count() or 1
-    if options.threads == 0 and processors > 2:
-        options.threads = processors - 1
-
-
-def _estimate_of(plan: Plan) -> Estimate | None:
-    """What a run comes to; None where it will report why not."""
-    try:
-        return estimate.of_plan(plan)
-    except core.MeanderError:
-        return None
 
 
 class Session:
@@ -124,7 +104,7 @@ class Session:
         self._choice = None if found is None else Choice(found[1])
         self._preview = Preview(self.plan, context.scene)
         self._window = Window(context)
-        _leave_one(self.plan.problem.options)
+        leave_a_processor(self.plan.problem.options)
         self._remaining = Remaining(self._expected())
         self.stepper.start()
         self._polled = time.perf_counter()
@@ -133,7 +113,7 @@ class Session:
         """The seconds that the run is thought to take; what goes on has the rest before it."""
         seconds = estimate.expected(self.plan.settings.find())
         if seconds is None:
-            found = _estimate_of(self.plan)
+            found = estimate.of_plan_or_none(self.plan)
             seconds = None if found is None else found.seconds
         return None if seconds is None else seconds * (1.0 - self.progress())
 
@@ -148,7 +128,7 @@ class Session:
 
         Raises DataError when the surface or the result has been deleted meanwhile.
         """
-        self._check_alive()
+        refuse_deleted(self.plan)
         self.ticked = time.perf_counter()
         if self.stop_wanted:
             self._wish = None
@@ -204,7 +184,9 @@ class Session:
             with self.plan.home.entered(context, self.plan.surface.find()) as home:
                 depsgraph = home.evaluated_depsgraph_get()
                 wish = live.wish_of(active, self.plan, self.stepper.density, depsgraph)
-            self._wished = None if wish is None else _estimate_of(wish.applied(self.plan))
+            self._wished = (
+                None if wish is None else estimate.of_plan_or_none(wish.applied(self.plan))
+            )
             if self._grows_large():
                 raise DataError(VERY_LARGE)
         except (DataError, core.MeanderError) as error:
@@ -219,7 +201,7 @@ class Session:
         """Whether a wish makes a run large that was not: whoever began a large one, meant it."""
         if self._wished is None or not self.is_large(self._wished):
             return False
-        now = _estimate_of(self.plan)
+        now = estimate.of_plan_or_none(self.plan)
         return now is None or not self.is_large(now)
 
     def _take_wishes(self, context: bpy.types.Context) -> None:
@@ -246,7 +228,7 @@ class Session:
     def _apply(self, wish: live.Wish) -> None:
         """Between two runs of the stepper."""
         if self._window is not None:
-            _leave_one(wish.options)
+            leave_a_processor(wish.options)
         try:
             self.stepper.revise(wish.options, wish.density)
         except core.MeanderError as error:
@@ -349,7 +331,7 @@ class Session:
         Returns the curve object and the figures of the run. Raises what went wrong in the run.
         """
         self.stepper.join()
-        self._check_alive()
+        refuse_deleted(self.plan)
         with self.plan.home.entered(context, self.plan.surface.find()) as home:
             return self._keep(home)
 
@@ -387,32 +369,6 @@ class Session:
             estimate.speeds.learn(options, figures["nodes"], figures["seconds_total"])
         return result, figures
 
-    def remarks(
-        self, context: bpy.types.Context, result: bpy.types.Object, figures: dict[str, Any]
-    ) -> tuple[str, str]:
-        """What to add to the summary about the seed and bridges, and what to warn of; empty if
-        nothing.
-
-        result, figures   of keep()
-        """
-        plan = self.plan
-        radius = plan.problem.options.radius
-        scene, _view_layer = plan.home.find(plan.surface.find()) or (context.scene, None)
-        remark = strands.fit_remark(
-            figures, plan.parts, radius, lambda value: length_text(scene, value)
-        )
-        if self.stepper.stiffening.best is not None:
-            stiffness = self.stepper.problem.options.bending_weight
-            remark = "; ".join(filter(None, (remark, f"a stiffness of {stiffness:g}")))
-        joined = result.meander.figures
-        if joined.bridge_count:
-            length = length_text(scene, joined.bridge_length)
-            remark = "; ".join(
-                filter(None, (remark, bridges.described(joined.bridge_count, length)))
-            )
-        warnings = (self.stepper.defect, strands.fit_warning(figures, plan.parts))
-        return remark, "; ".join(filter(None, warnings))
-
     def suspend(self) -> None:
         """Ends the run without a result, and keeps it so that it can go on later."""
         self.end()
@@ -434,13 +390,6 @@ class Session:
         if self._preview is not None:
             self._preview.end()
 
-    def _check_alive(self) -> None:
-        if self.plan.home.find(self.plan.surface.find()) is None:
-            raise DataError("The surface was deleted while the curve was growing; start again")
-        # A surface that is filled again gets a new curve where the last one is gone.
-        if not self.plan.from_surface and not is_present(self.plan.result.find()):
-            raise DataError("The curve was deleted while it was growing; start again")
-
 
 running: Activity[Session] = Activity(Session.end, busy="A curve is growing already")
 
@@ -448,24 +397,3 @@ running: Activity[Session] = Activity(Session.end, busy="A curve is growing alre
 def current() -> Session | None:
     """The running session, or None."""
     return running.current
-
-
-def explain_refusal(plan: Plan, error: core.MeanderError) -> None:
-    """Raises DataError with the faults of the mesh that a run was refused for, in words.
-
-    The sentence stays with the surface, for the panel. Returns where the error has another reason.
-    """
-    surface, options = plan.surface.find(), plan.problem.surface_options
-    if error.status != core.Status.INVALID_MESH or surface is None or options is None:
-        return
-    faces = plan.problem.faces
-    if options.face_mask is not None:
-        faces = faces[np.asarray(options.face_mask, dtype=bool)]
-    if not len(faces):
-        return
-    faults = core.find_faults(plan.problem.vertices, faces)
-    if not len(faults.kinds):
-        return
-    sentence = refusal(surface.name, faults, strict=not options.make_manifold)
-    remember_problem(surface, sentence)
-    raise DataError(sentence) from error

@@ -8,6 +8,7 @@ import time
 
 import bpy
 
+from .. import core
 from ..scene.identity import Key, number_of
 from .pace import Pace
 
@@ -136,3 +137,10 @@ def _draws_by_software() -> bool:
 
     renderer = gpu.platform.renderer_get().lower()
     return any(name in renderer for name in ("llvmpipe", "softpipe", "swr", "swiftshader"))
+
+
+def leave_a_processor(options: core.FlowOptions) -> None:
+    """Leaves one processor to the window, which draws, where that is not half of them."""
+    processors = os.cpu_count() or 1
+    if options.threads == 0 and processors > 2:
+        options.threads = processors - 1

@@ -3,32 +3,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import bpy
-import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
 from .. import core
-from ..model import export
+from ..model import export, export_checks
 from ..model.files.whole import FileError
 from ..model.geometry import surface_crossings
-from ..model.options.export import ROWS
 from ..model.toolpaths import embroidery, ros, toolpath, usd
-from ..model.toolpaths.drawing import Drawing, axes_of, seen_along
+from ..model.toolpaths.drawing import Drawing
 from ..run import rounding
 from ..run.lasting import Activity
 from ..scene import drawn_line
 from ..scene.bake import frames_of
 from ..scene.errors import DataError
 from ..scene.identity import Key
-from ..scene.layouts import axes_of_view, has_map, metres_of, unrolled_strands
+from ..scene.layouts import metres_of
 from ..scene.meshes import triangles_of
-from ..scene.points import strands_of_result
-from ..scene.visible import visible_strands
-from .declared import declared
+from .exported_lines import BY_NAME, ExportedLines, ExportOptions, results_of, view_of
 from .file_names import file_named
 from .on_result import OnResult, result_of
 from .preferences import page_size
@@ -36,26 +31,6 @@ from .refusing import refusing, sentence_of
 
 _TABLES = {suffix[1:].upper(): suffix for suffix in toolpath.SUFFIXES}
 _SUFFIXES = _TABLES | {kind.name: kind.suffixes[0] for kind in export.FORMATS}
-_BY_NAME = {kind.name: kind for kind in export.FORMATS}
-
-
-class ExportOptions:
-    """The options of a drawing, which the table declares."""
-
-    __annotations__ = declared(ROWS)
-
-    def option_values(self) -> dict[str, Any]:
-        """What is chosen, by setting."""
-        values = {row.setting: getattr(self, row.setting) for row in ROWS}
-        # What the user has typed, and not the float32 that Blender keeps of it.
-        return {
-            row.setting: float(f"{values[row.setting]:.6g}")
-            if row.kind is float
-            else values[row.setting].lower()
-            if row.kind is str
-            else values[row.setting]
-            for row in ROWS
-        }
 
 
 # Settings that mean nothing for other tools.
@@ -81,7 +56,7 @@ class _Refused(NamedTuple):
 _refused: Activity[_Refused] = Activity()
 
 
-class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
+class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
     """Write the curve to a file for plotters, lasers, mills, printers or embroidery"""
 
     bl_idname = "meander.export_toolpath"
@@ -159,7 +134,6 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         name="UV Map", description="UV map that lays the curve flat; the active one if empty"
     )
 
-    _view = None  # from which the dialog was opened
     _format = _by_shape = _size = ""
     _by_page = 0.0  # the size that was chosen for a page
     _is_refused = False  # whether writing would say no
@@ -169,8 +143,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         layout.use_property_split = True
         layout.use_property_decorate = False
         layout.prop(self, "file_format")
-        kind = _BY_NAME.get(self.file_format)
-        if kind is not None and len(_results(context)) > 1:
+        kind = BY_NAME.get(self.file_format)
+        if kind is not None and len(results_of(context)) > 1:
             layout.prop(self, "selected")
         for setting in () if kind is None else kind.options:
             if setting == "visible_only" and not export.is_seen(kind, self.layout_as.lower()):
@@ -223,7 +197,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
     def _with_suffix(self) -> Path:
         path = Path(self.filepath)
         suffix, wanted = export.suffix_of(path), _SUFFIXES[self.file_format]
-        kind = _BY_NAME.get(self.file_format)
+        kind = BY_NAME.get(self.file_format)
         if suffix == wanted or kind is not None and suffix in kind.suffixes:
             return path
         known = suffix in (*_TABLES.values(), *export.SUFFIXES)
@@ -236,7 +210,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             self.filepath = bpy.path.clean_name(result_of(context).name)
         self.filepath = str(self._with_suffix())
         # In the dialog there is no 3D view to ask.
-        self._view, self._format = _view_of(context), self.file_format
+        self._view, self._format = view_of(context), self.file_format
         if not self.properties.is_property_set("layout_as"):
             self.layout_as = self._layout_by_shape(context)
         self._by_shape = self.layout_as
@@ -265,66 +239,39 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             self._take_format_of_name()
         if not self.properties.is_property_set("layout_as"):
             self.layout_as = self._layout_by_shape(context)
-        given, path, kind = Path(self.filepath), self._with_suffix(), _BY_NAME.get(self.file_format)
+        given, path, kind = Path(self.filepath), self._with_suffix(), BY_NAME.get(self.file_format)
         if kind is None:
             text, warning = self._write_table(path, context)
         else:
             drawing = self._write_drawing(path, kind, context)
             text = drawing.described()
-            warning = export.crossing_warning(drawing, kind, self.option_values())
+            warning = export_checks.crossing_warning(drawing, kind, self.option_values())
         becomes = f"{given.name} becomes " if given.suffix not in ("", path.suffix) else ""
         self.report({"INFO"}, f"{becomes}{path.name}: {text}")
         if warning:
             self.report({"WARNING"}, sentence_of(warning))
         return {"FINISHED"}
 
-    def _layout_by_shape(self, context: bpy.types.Context) -> str:
-        """In space where the format can have it."""
-        kind = _BY_NAME.get(self.file_format)
-        if kind is None or not kind.flat:
-            return "SPACE"
-        result, depsgraph = result_of(context), context.evaluated_depsgraph_get()
-        surface = result.meander.surface
-        try:
-            triangles = triangles_of(surface, depsgraph)
-            strands = self._strands(result, depsgraph)
-            several = self.selected and len(_results(context)) > 1
-            found = not (self.visible_only or several) and has_map(surface, depsgraph)
-        except DataError:  # which writing reports
-            return "SPACE"
-        return export.layout_by_shape(*triangles, strands, found).upper()
-
     def _look_at_size(self, context: bpy.types.Context) -> None:
         """Says how large the drawing will be, or why there is none; what is unrolled begins as
         large as the page of the preferences."""
-        kind = _BY_NAME.get(self.file_format)
+        kind = BY_NAME.get(self.file_format)
         of_machine = kind is not None and "force" in kind.options
         on_page = of_machine and self.layout_as == "UV" and self.scale == 1.0
         if self.size == self._by_page:  # nobody has chosen another
             self.size = 0.0
             sides = self._sides(context) if on_page else None
             if sides is not None:
-                self.size = round(export.size_on_page(sides, page_size(), _MARGIN), 1)
+                self.size = round(export_checks.size_on_page(sides, page_size(), _MARGIN), 1)
                 if self.unit == "in":
                     self.size = round(self.size / 25.4, 3)
             self._by_page = self.size
         self._is_refused = False
         self._size = self._size_text(context)
 
-    def _sides(self, context: bpy.types.Context) -> np.ndarray | None:
-        """Width and height of a flat drawing; None where there is none, or no page for it."""
-        kind = _BY_NAME.get(self.file_format)
-        if kind is None or "size" not in kind.options:
-            return None
-        try:
-            strands = self._laid_out(kind, self.option_values(), context)
-        except (DataError, core.MeanderError, FileError):  # which writing reports
-            return None
-        return np.ptp(np.concatenate([strand.points for strand in strands]), axis=0)[:2]
-
     def _size_text(self, context: bpy.types.Context) -> str:
         """How large the drawing will be, or why there is none; for the dialog."""
-        kind = _BY_NAME.get(self.file_format)
+        kind = BY_NAME.get(self.file_format)
         if kind is None:
             return ""
         values = self.option_values() | {"visible_only": False, "arc_tolerance": 0.0}
@@ -334,7 +281,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         except (DataError, core.MeanderError, FileError) as error:
             self._is_refused = True
             return sentence_of(error)
-        problem = export.unusable(drawing, kind, values)
+        problem = export_checks.unusable(drawing, kind, values)
         self._is_refused = problem is not None
         return drawing.size_text() if problem is None else sentence_of(problem.what)
 
@@ -347,16 +294,6 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             self.file_format = kind.name
         elif table in _TABLES:
             self.file_format = table
-
-    def _resampled(
-        self, strands: Sequence[toolpath.Strand], mesh: toolpath.Mesh | None
-    ) -> list[toolpath.Strand]:
-        return toolpath.resampled(
-            strands,
-            self.step if self.resample == "STEP" else None,
-            self.tolerance if self.resample == "TOLERANCE" else None,
-            mesh,
-        )
 
     def _write_table(self, path: Path, context: bpy.types.Context) -> tuple[str, str]:
         """What to say of it, and what to warn of; empty if nothing."""
@@ -407,7 +344,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             strands, kind, values, metres_of(context.scene), spacing,
             frames=frames, rate=render.fps / render.fps_base,
         )  # fmt: skip
-        problem = export.unusable(drawing, kind, values)
+        problem = export_checks.unusable(drawing, kind, values)
         if problem is not None:
             way = "choose another Layout" if problem.edge else "choose a Size or Scale"
             raise FileError(f"The drawing {problem.what}; {way}, or Write Anyway")
@@ -417,38 +354,6 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         )
         export.write(path, kind, drawing, values, title, core.VERSION, head, foot, self.frame_id)
         return drawing
-
-    def _chosen(self, context: bpy.types.Context) -> list[bpy.types.Object]:
-        return _results(context) if self.selected else [result_of(context)]
-
-    def _strands(
-        self, result: bpy.types.Object, depsgraph: bpy.types.Depsgraph
-    ) -> list[toolpath.Strand]:
-        """What is written of a result: the line that is seen, or the curve."""
-        return strands_of_result(result, depsgraph, as_drawn=self.round_turns)
-
-    def _laid_out(
-        self, kind: export.Format, values: dict[str, Any], context: bpy.types.Context
-    ) -> list[toolpath.Strand]:
-        layout = values["layout_as"] if "layout_as" in kind.options else "space"
-        depsgraph = context.evaluated_depsgraph_get()
-        results = self._chosen(context)
-        strands = [strand for each in results for strand in self._strands(each, depsgraph)]
-        surfaces = list(dict.fromkeys(result.meander.surface for result in results))
-        if layout == "uv":
-            if len(surfaces) > 1:
-                raise DataError("Unrolled takes curves on one surface; select no others")
-            return unrolled_strands(strands, surfaces[0], depsgraph, self.uv_map)
-        if not export.is_seen(kind, layout):
-            return strands
-        if layout == "view":
-            axes = axes_of_view(self._view or _view_of(context))
-        else:
-            axes = axes_of(layout)
-        if values["visible_only"]:
-            meshes = [triangles_of(surface, depsgraph) for surface in surfaces]
-            strands = visible_strands(strands, *axes, *_joined(meshes))
-        return seen_along(strands, *axes)
 
 
 # What a refused dialog hands on; where it was and which files are listed, Blender knows.
@@ -468,37 +373,6 @@ def take_up_refused(operator: Any, result: bpy.types.Object) -> None:
     for name, value in refused.values.items():
         if not operator.properties.is_property_set(name):
             setattr(operator, name, value)
-
-
-def _results(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """The active curve, and the others that are selected and made by Meander."""
-    active = result_of(context)
-    others = (
-        thing
-        for thing in context.selected_objects
-        if thing != active and thing.type == "CURVE" and thing.meander.surface is not None
-    )
-    return [active, *sorted(others, key=lambda thing: thing.name)]
-
-
-def _joined(meshes: Sequence[tuple[np.ndarray, np.ndarray]]) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and triangles of several meshes as those of one."""
-    firsts = np.cumsum([0] + [len(vertices) for vertices, _faces in meshes])
-    return (
-        np.vstack([vertices for vertices, _faces in meshes]),
-        np.vstack([faces + first for (_vertices, faces), first in zip(meshes, firsts)]),
-    )
-
-
-def _view_of(context: bpy.types.Context) -> bpy.types.RegionView3D | None:
-    """The 3D view in which the mouse is, or else the largest one of the window."""
-    if context.area is not None and context.area.type == "VIEW_3D":
-        return context.space_data.region_3d
-    areas = context.screen.areas if context.screen is not None else ()
-    areas = [area for area in areas if area.type == "VIEW_3D"]
-    if not areas:
-        return None
-    return max(areas, key=lambda area: area.width * area.height).spaces.active.region_3d
 
 
 def _menu(self: bpy.types.Menu, _context: bpy.types.Context) -> None:

@@ -14,6 +14,7 @@ from ..model import last_run, strands
 from ..model.empty import Empty, narrow_remark, percent, remark
 from ..run import notes, session
 from ..run.plan import Plan
+from ..run.session_remarks import remarks
 from ..run.suspended import SuspendedRun
 from ..scene.errors import DataError
 from . import following
@@ -104,7 +105,7 @@ class Watched:
         try:
             if keep:
                 result, figures = self._session.keep(context)
-                remark, warning = self._session.remarks(context, result, figures)
+                remark, warning = remarks(self._session, context, result, figures)
                 done = (_summary(result), self._session.preparation_text(), remark)
                 self.report({"INFO"}, f"{result.name}: {'; '.join(filter(None, done))}")
                 if warning:
