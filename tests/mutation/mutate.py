@@ -118,7 +118,8 @@ def compiler_arguments() -> list[str]:
         ["pkg-config", "--cflags", "eigen3"], capture_output=True, text=True, check=True
     )
     vectors = ["-DEIGEN_DONT_VECTORIZE", "-DEIGEN_VECTORIZE"]  # as cmake/library.cmake has them
-    return ["-xc++", "-std=c++20", "-w", *vectors, *(f"-I{f}" for f in folders), *eigen.stdout.split()]
+    included = (f"-I{folder}" for folder in folders)
+    return ["-xc++", "-std=c++20", "-w", *vectors, *included, *eigen.stdout.split()]
 
 
 def write() -> list[Mutant]:
