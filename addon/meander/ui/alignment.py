@@ -8,6 +8,7 @@ from ..scene.attributes import attribute_names, color_names, vector_names
 from ..scene.linked_settings import settings_of
 from ..scene.settings import surface_of
 from .declared import row
+from .registered import registration
 from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns
 
 
@@ -212,14 +213,4 @@ class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
                     settings, "alignment_angle_uv_map", surface.data, "uv_layers"
                 )
 
-_CLASSES = (MEANDER_PT_alignment,)
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration(MEANDER_PT_alignment)

@@ -15,6 +15,7 @@ from ..scene.solid_view import show_colours
 from .on_result import NO_RESULT, OnResult, result_of
 from .points import draw_light_and_points
 from .refusing import refusing
+from .registered import registration
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
 
 _DETAIL = "Length of the edges between the lines, in half spacings; 0 adds none"
@@ -196,20 +197,10 @@ class MEANDER_PT_make(SubPanel, bpy.types.Panel):
         draw_light_and_points(layout, context)
 
 
-_CLASSES = (
+register, unregister = registration(
     MEANDER_OT_cut_along_curve,
     MEANDER_OT_two_tone,
     MEANDER_OT_relief,
     MEANDER_OT_ribbon,
     MEANDER_PT_make,
 )
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)

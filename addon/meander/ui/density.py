@@ -11,6 +11,7 @@ from ..scene.density import active_group, choice_of
 from ..scene.linked_settings import owner_of, settings_of
 from ..scene.settings import surface_of
 from .declared import row
+from .registered import registration
 from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns, notice
 
 
@@ -232,14 +233,4 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
         column.prop(settings, "density_low", text="From")
         column.prop(settings, "density_high", text="To")
 
-_CLASSES = (MEANDER_PT_density,)
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration(MEANDER_PT_density)

@@ -28,6 +28,7 @@ from ..scene.errors import DataError
 from ..scene.identity import Key
 from ..scene.seeds import new_seed
 from .refusing import sentence_of
+from .registered import registration
 from .sidebar import Sidebar, notice
 
 _DRAW_TOOL = "builtin.draw"
@@ -329,14 +330,4 @@ class MEANDER_PT_drawing(Sidebar, bpy.types.Panel):
         row.operator(MEANDER_OT_end_seed.bl_idname, icon="CHECKMARK")
 
 
-_CLASSES = (MEANDER_OT_draw_seed, MEANDER_OT_end_seed, MEANDER_PT_drawing)
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration(MEANDER_OT_draw_seed, MEANDER_OT_end_seed, MEANDER_PT_drawing)

@@ -10,6 +10,7 @@ from ..run import gaps as gap_marks
 from ..run.lasting import why_busy
 from ..scene.results import shown_result
 from ..scene.settings import surface_of
+from .registered import registration
 from .settings import MeanderFigures
 
 
@@ -71,9 +72,4 @@ class MEANDER_OT_show_gaps(bpy.types.Operator):
         return {"FINISHED"}
 
 
-def register() -> None:
-    bpy.utils.register_class(MEANDER_OT_show_gaps)
-
-
-def unregister() -> None:
-    bpy.utils.unregister_class(MEANDER_OT_show_gaps)
+register, unregister = registration(MEANDER_OT_show_gaps)

@@ -14,6 +14,7 @@ from ..scene.light import least_spacing, make_light
 from ..scene.points import polylines_of
 from .on_result import OnOwnResult, result_of
 from .refusing import refusing, sentence_of
+from .registered import registration
 
 
 class MEANDER_OT_make_light(OnOwnResult, bpy.types.Operator):
@@ -42,9 +43,4 @@ class MEANDER_OT_make_light(OnOwnResult, bpy.types.Operator):
         return {"FINISHED"}
 
 
-def register() -> None:
-    bpy.utils.register_class(MEANDER_OT_make_light)
-
-
-def unregister() -> None:
-    bpy.utils.unregister_class(MEANDER_OT_make_light)
+register, unregister = registration(MEANDER_OT_make_light)

@@ -25,6 +25,7 @@ from ..scene.results import last_result
 from ..scene.settings import surface_of
 from . import following
 from .fill import MEANDER_OT_run, fits, poll_run
+from .registered import registration
 from .watched import Watched
 
 # Of the timer, in seconds, while a curve grows and while none does.
@@ -177,9 +178,4 @@ def _press() -> None:
         bpy.ops.meander.live("INVOKE_DEFAULT")
 
 
-def register() -> None:
-    bpy.utils.register_class(MEANDER_OT_live)
-
-
-def unregister() -> None:
-    bpy.utils.unregister_class(MEANDER_OT_live)
+register, unregister = registration(MEANDER_OT_live)

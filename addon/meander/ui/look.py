@@ -19,6 +19,7 @@ from ..scene.results import shown_result
 from .declared import switch
 from .on_result import OnOwnResult, result_of
 from .refusing import refusing
+from .registered import registration
 from .sidebar import LOOK, LOOK_ORDER, ORDER, SubPanel, columns
 
 # The cross sections that the look of a curve has, by the numbers that its modifier keeps.
@@ -282,14 +283,4 @@ def _ramp_shown(context: bpy.types.Context) -> bpy.types.Node | None:
     return None if material is None else look.ramp_node_of(material)
 
 
-_CLASSES = (MEANDER_OT_add_look, MEANDER_PT_look, MEANDER_PT_look_color)
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration(MEANDER_OT_add_look, MEANDER_PT_look, MEANDER_PT_look_color)

@@ -10,6 +10,7 @@ from ..run.lasting import why_busy
 from ..scene.made import bring_into_view, made_from
 from ..scene.results import shown_result
 from .refusing import refusing
+from .registered import registration
 from .sidebar import notice
 
 
@@ -121,14 +122,8 @@ def draw_hidden(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
     column.operator(MEANDER_OT_select_curve.bl_idname, icon="RESTRICT_SELECT_OFF")
 
 
-_CLASSES = (MEANDER_OT_select_curve, MEANDER_OT_use_as_surface, MEANDER_OT_make_again)
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration(
+    MEANDER_OT_select_curve,
+    MEANDER_OT_use_as_surface,
+    MEANDER_OT_make_again,
+)

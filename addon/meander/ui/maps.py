@@ -15,6 +15,7 @@ from ..scene.errors import DataError
 from .file_names import file_named
 from .on_result import OnResult, result_of
 from .refusing import refusing, sentence_of
+from .registered import registration
 
 _TIPS = {
     "mask": "White line on black",
@@ -155,9 +156,4 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
         return {"FINISHED"}
 
 
-def register() -> None:
-    bpy.utils.register_class(MEANDER_OT_maps)
-
-
-def unregister() -> None:
-    bpy.utils.unregister_class(MEANDER_OT_maps)
+register, unregister = registration(MEANDER_OT_maps)

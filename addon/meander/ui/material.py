@@ -14,6 +14,7 @@ from ..scene.errors import DataError
 from ..scene.image_material import map_name
 from .on_result import OnOwnResult, result_of
 from .refusing import refusing, sentence_of
+from .registered import registration
 
 
 class MEANDER_OT_make_material(OnOwnResult, bpy.types.Operator):
@@ -107,9 +108,4 @@ def _unwrap(surface: bpy.types.Object, context: bpy.types.Context) -> None:
         layer.objects.active = active
 
 
-def register() -> None:
-    bpy.utils.register_class(MEANDER_OT_make_material)
-
-
-def unregister() -> None:
-    bpy.utils.unregister_class(MEANDER_OT_make_material)
+register, unregister = registration(MEANDER_OT_make_material)

@@ -7,6 +7,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
 from .cut import Cut, hide_originals
+from .registered import registration
 
 
 class MEANDER_OT_maze(Cut, bpy.types.Operator):
@@ -84,9 +85,4 @@ class MEANDER_OT_maze(Cut, bpy.types.Operator):
         layout.prop(self, "hide", text="Hide Curve")
 
 
-def register() -> None:
-    bpy.utils.register_class(MEANDER_OT_maze)
-
-
-def unregister() -> None:
-    bpy.utils.unregister_class(MEANDER_OT_maze)
+register, unregister = registration(MEANDER_OT_maze)

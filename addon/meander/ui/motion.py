@@ -14,6 +14,7 @@ from ..scene.fillable import is_result
 from .declared import switch
 from .on_result import OnOwnResult, result_of
 from .refusing import refusing
+from .registered import registration
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns, notice
 
 
@@ -216,20 +217,10 @@ class MEANDER_PT_motion(SubPanel, bpy.types.Panel):
             column.operator(MEANDER_OT_clear_bake.bl_idname, icon="TRASH")
 
 
-_CLASSES = (
+register, unregister = registration(
     MEANDER_OT_bake_motion,
     MEANDER_OT_bake_growth,
     MEANDER_OT_animate_growth,
     MEANDER_OT_clear_bake,
     MEANDER_PT_motion,
 )
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)

@@ -10,6 +10,7 @@ from ..scene.meshes import triangles_of
 from ..scene.settings import surface_of
 from .on_result import can_choose
 from .refusing import refusing
+from .registered import registration
 
 
 class MEANDER_OT_propose_spacing(bpy.types.Operator):
@@ -56,14 +57,4 @@ class MEANDER_OT_choose_settings(bpy.types.Operator):
         return {"FINISHED"}
 
 
-_CLASSES = (MEANDER_OT_propose_spacing, MEANDER_OT_choose_settings)
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration(MEANDER_OT_propose_spacing, MEANDER_OT_choose_settings)

@@ -15,6 +15,7 @@ from ..scene.errors import DataError
 from ..scene.layouts import metres_of
 from ..scene.picture import new_sheet, read_picture
 from .refusing import refusing
+from .registered import registration
 
 _MILLIMETRE = 0.001
 
@@ -132,9 +133,4 @@ class MEANDER_OT_picture(bpy.types.Operator):
         return {"FINISHED"}
 
 
-def register() -> None:
-    bpy.utils.register_class(MEANDER_OT_picture)
-
-
-def unregister() -> None:
-    bpy.utils.unregister_class(MEANDER_OT_picture)
+register, unregister = registration(MEANDER_OT_picture)

@@ -18,6 +18,7 @@ from .light import MEANDER_OT_make_light
 from .maps import MEANDER_OT_maps
 from .on_result import OnResult, result_of
 from .refusing import refusing, sentence_of
+from .registered import registration
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
 
 
@@ -142,18 +143,8 @@ def _draw_counts(layout: bpy.types.UILayout, result: bpy.types.Object) -> None:
         row.label(text=f"{count:,} of {whole:,} points")
 
 
-_CLASSES = (
+register, unregister = registration(
     MEANDER_OT_points_to_mesh,
     MEANDER_OT_points_to_curves,
     MEANDER_PT_points,
 )
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)

@@ -16,6 +16,7 @@ from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .declared import row, switch
 from .refusing import refusing
+from .registered import registration
 from .sidebar import (
     ADVANCED,
     ADVANCED_ORDER,
@@ -216,14 +217,4 @@ class MEANDER_PT_repair(SubPanel, bpy.types.Panel):
             notice(column, result.meander.figures.preparation)
 
 
-_CLASSES = (MEANDER_OT_select_problem, MEANDER_PT_mask, MEANDER_PT_repair)
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration(MEANDER_OT_select_problem, MEANDER_PT_mask, MEANDER_PT_repair)

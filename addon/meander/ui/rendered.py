@@ -11,6 +11,7 @@ from ..scene.fillable import why_not
 from ..scene.linked_settings import is_from_file
 from ..scene.rendered import Rendering, make_same, rendering_of
 from ..scene.settings import surface_of
+from .registered import registration
 from .sidebar import notice
 
 _SAME = "It renders as the view shows it"
@@ -85,14 +86,4 @@ class MEANDER_OT_render_as_shown(_MakesSame, bpy.types.Operator):
     as_rendered = False
 
 
-_CLASSES = (MEANDER_OT_show_as_rendered, MEANDER_OT_render_as_shown)
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration(MEANDER_OT_show_as_rendered, MEANDER_OT_render_as_shown)

@@ -16,6 +16,7 @@ from ..scene.linked_settings import settings_to_change
 from ..scene.seeds import new_seed, strands_of_boundary, strands_of_edges
 from ..scene.settings import surface_of
 from .refusing import refusing
+from .registered import registration
 
 
 def _poll(
@@ -193,19 +194,9 @@ class MEANDER_OT_preview_seed(bpy.types.Operator):
         return {"FINISHED"}
 
 
-_CLASSES = (
+register, unregister = registration(
     MEANDER_OT_preview_seed,
     MEANDER_OT_seed_from_edges,
     MEANDER_OT_seed_from_boundary,
     MEANDER_OT_stroke_from_vertices,
 )
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)

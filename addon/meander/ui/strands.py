@@ -9,6 +9,7 @@ from ..scene.curve_reader import has_strands
 from ..scene.linked_settings import owner_of, settings_of
 from .declared import switch
 from .drawing import MEANDER_OT_draw_seed
+from .registered import registration
 from .seeds import (
     MEANDER_OT_preview_seed,
     MEANDER_OT_seed_from_boundary,
@@ -116,9 +117,4 @@ def _draw_makers(column: bpy.types.UILayout, surface: bpy.types.Object) -> None:
     column.operator(MEANDER_OT_seed_from_boundary.bl_idname, icon="MESH_CIRCLE")
 
 
-def register() -> None:
-    bpy.utils.register_class(MEANDER_PT_strands)
-
-
-def unregister() -> None:
-    bpy.utils.unregister_class(MEANDER_PT_strands)
+register, unregister = registration(MEANDER_PT_strands)

@@ -8,6 +8,7 @@ import bpy
 from ..scene.linked_settings import settings_of
 from ..scene.options import warnings_of
 from .declared import rows
+from .registered import registration
 from .settings import MeanderSettings
 from .sidebar import (
     ADVANCED,
@@ -34,14 +35,4 @@ class MEANDER_PT_weights(SubPanel, bpy.types.Panel):
             notice(layout, warning, "ERROR")
 
 
-_CLASSES = (MEANDER_PT_weights,)
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration(MEANDER_PT_weights)
