@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import threading
 import time
 
@@ -299,7 +300,7 @@ def test_growth_is_shown_step_by_step_by_a_window_that_comes_late(windowed):
 
 def test_a_run_in_a_window_leaves_a_processor_to_it(windowed, monkeypatch):
     for processors, threads in ((2, 0), (8, 7)):
-        monkeypatch.setattr(session.os, "cpu_count", lambda many=processors: many)
+        monkeypatch.setattr(os, "cpu_count", lambda many=processors: many)
         surface = sphere()
         running = begin(surface, 0.2)
         assert running.stepper.problem.options.threads == threads
