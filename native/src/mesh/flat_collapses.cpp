@@ -91,7 +91,7 @@ class FlatCollapses {
       }
     }
     std::ranges::sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
   }
 
   /// A vertex of a border, or of an edge with many faces, goes along it, where it is straight.
