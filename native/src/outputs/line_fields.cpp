@@ -38,7 +38,8 @@ void LineFields::find_places(const LineDistance& distance, CancelToken& poll) {
       const NearestOnLine n = distance.in_face(corners[k]);
       return std::tuple(-agree[k], n.distance, n.strand, n.along);
     };
-    const HalfEdge chosen = corners[std::ranges::min({0u, 1u, 2u}, {}, rank)];
+    constexpr std::array<uint32_t, 3> kAll{0, 1, 2};
+    const HalfEdge chosen = corners[*std::ranges::min_element(kAll, {}, rank)];
     const NearestOnLine n = distance.in_face(chosen);
     if (n.strand == kNone) continue;
     FaceLine& line = faces_[f];
