@@ -383,6 +383,7 @@ def tried() -> list[str]:
         bad = replace(cut, **wrong)
         refused(lambda bad=bad: core.cut_places(bad, 0.2, place, weights))
     refused(lambda: core.cut_places(cut, 0.2, place + len(cut.faces), weights))
+    refused(lambda: core.cut_places(cut, 0.2, place, weights * np.float32(np.nan)))
     for text in (b"v 0 0\n", b"v 0 0 0\nf 1 2 x\n"):
         refused(lambda text=text: files.read_polygons(text, abi.Text.OBJ_FACES))
     refused(lambda: files.read_polygons(b"vertex 0 0 0\nvertex 1 0 0\n", abi.Text.STL))

@@ -116,7 +116,7 @@ MEANDER_API meander_status meander_map_find_pixels(const double* drawing, size_t
  *            of them; only positions, distances, faces, strands, along, face_distances and the curve are read
  * distance   the farthest; positive, in the units of the cut
  * nearest    int32_t[point_count]: faces of the cut; -1: none, which has the distance 0
- * weights    float[3 * point_count]: of the corners of these faces
+ * weights    float[3 * point_count]: of the corners of these faces; finite
  * point_count  at most 2^30
  * threads    0: as many as the machine has; at most 256; the result is the same
  * distances  receives double[point_count]

@@ -82,6 +82,8 @@ meander_status meander_cut_find_places(const meander_cut* cut, double distance, 
     const auto face_count = static_cast<int64_t>(known.strands.size());
     require(std::all_of(nearest, nearest + point_count, [&](int32_t f) { return f >= -1 && f < face_count; }),
             "A place lies in a face that is not there.");
+    require(std::all_of(weights, weights + 3 * point_count, [](float w) { return std::isfinite(w); }),
+            "A weight of a place is not finite.");
     check_cancelled(context);
     ThreadPool pool = ThreadPool(threads).with(cancel_of(context));
     const PlacesOfMap found{{distances, distances ? point_count : 0},

@@ -39,7 +39,7 @@ class Rasterizer {
       std::vector<uint8_t> inside((end - begin) * pixels_.size, 0);  // of how many faces, at most 2
       std::ranges::fill(pixels_.faces.subspan(first, inside.size()), kNoFace);
       std::ranges::fill(pixels_.weights.subspan(3 * first, 3 * inside.size()), 0.0f);
-      for (uint32_t k = ends_[band]; k < ends_[band + 1]; ++k) {
+      for (size_t k = ends_[band]; k < ends_[band + 1]; ++k) {
         draw(in_band_[k], static_cast<int64_t>(begin), static_cast<int64_t>(end), inside);
       }
       const auto here = pixels_.faces.subspan(first, inside.size());
@@ -118,7 +118,8 @@ class Rasterizer {
 
   std::span<const double> corners_;
   const MapPixels& pixels_;
-  std::vector<uint32_t> ends_, in_band_;  // per band, where its faces end
+  std::vector<size_t> ends_;  // per band, where its faces end
+  std::vector<uint32_t> in_band_;
 };
 
 /// Carries what lies at the edges of faces on beyond them, one pixel in each step.
