@@ -9,6 +9,7 @@
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 
+#include "base/large_pages.h"
 #include "mesh/surface.h"
 
 namespace meander {
@@ -110,7 +111,7 @@ class RefinedSurface {
   OpenMesh::TriConnectivity mesh_;
   std::vector<Vec3> positions_;    // per vertex
   std::vector<uint32_t> origins_;  // per face
-  std::vector<Vec2> at_;           // per half-edge
+  Table<Vec2> at_;                 // per half-edge
   std::vector<uint8_t> fixed_;     // per edge
 };
 

@@ -89,7 +89,10 @@ double LineDistance::between(const NearestOnLine& from, const NearestOnLine& to)
 }
 
 bool LineDistance::one_sheet(HalfEdge corner, HalfEdge other) const {
-  const NearestOnLine a = in_face(corner), b = in_face(other);
+  return one_sheet(corner, in_face(corner), other, in_face(other));
+}
+
+bool LineDistance::one_sheet(HalfEdge corner, const NearestOnLine& a, HalfEdge other, const NearestOnLine& b) const {
   if (a.strand != b.strand || a.side != b.side || a.strand == kNone) return false;
   const uint32_t p = mesh_.line_point(mesh_.from(corner)), q = mesh_.line_point(mesh_.from(other));
   if (p != kNone && q != kNone) return mesh_.next_point(p) == q || mesh_.previous_point(p) == q;
@@ -127,10 +130,11 @@ NearestOnLine LineDistance::by_edge(HalfEdge a, HalfEdge c) const {
 
 /// The nearest place of corner c by those of a and b: the front that passes these passes it later.
 NearestOnLine LineDistance::across(HalfEdge a, HalfEdge b, HalfEdge c) const {
-  const NearestOnLine by_a = by_edge(a, c), by_b = by_edge(b, c);
-  const NearestOnLine& by_edges = by_a.distance <= by_b.distance ? by_a : by_b;
-  if (!one_sheet(a, b)) return by_edges;
   const NearestOnLine from = in_face(a), to = in_face(b);
+  const double by_a = from.distance + (place(c) - place(a)).norm(), by_b = to.distance + (place(c) - place(b)).norm();
+  NearestOnLine by_edges = by_a <= by_b ? from : to;
+  by_edges.distance = std::min(by_a, by_b);
+  if (!one_sheet(a, from, b, to)) return by_edges;
   const FrontOverEdge front(place(b) - place(a), place(c) - place(a), from.distance, to.distance);
   if (!front.is_possible()) return by_edges;
   const double length = front.length, moved = between(from, to);

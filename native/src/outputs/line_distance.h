@@ -47,6 +47,8 @@ class LineDistance {
   void find_corner_sides(CancelToken& poll);
   void mark(HalfEdge leaving);
   void march(CancelToken& poll);
+  /// With what in_face() says of both.
+  bool one_sheet(HalfEdge corner, const NearestOnLine& a, HalfEdge other, const NearestOnLine& b) const;
   NearestOnLine across(HalfEdge a, HalfEdge b, HalfEdge c) const;
   NearestOnLine by_edge(HalfEdge a, HalfEdge c) const;
   bool flat_from(uint32_t piece, const Vec3& normal) const;
