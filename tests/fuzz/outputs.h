@@ -75,6 +75,7 @@ class Outputs {
   static constexpr unsigned char kPattern = 0xa5;
 
   static const char* type_name(const double*) { return "double"; }
+  static const char* type_name(const float*) { return "float"; }
   static const char* type_name(const uint8_t*) { return "uint8_t"; }
   static const char* type_name(const uint32_t*) { return "uint32_t"; }
   static const char* type_name(const int32_t*) { return "int32_t"; }

@@ -60,7 +60,7 @@ enum Op : uint8_t {
   kNodes,
   kPointData,
   kGaps,
-  kCut,
+  kCut,    // a, b: detail, c: middle lines, d: places of it, e: a weight
   kUnused2,
   kUnused3,
   kUnused4,
@@ -76,6 +76,10 @@ enum Op : uint8_t {
   kTriangulate,     // a: noise, b: damage, c: where, d: corners, e: an end
   kTurnDirections,  // a: noise, b: damage, c: value
   kFindClosest,     // a: noise, b: how many, c: a coordinate, d: whether on the surface, e: threads
+  kWriteRows,       // a: pattern, b: noise, c: damage, d: rows, e: a value
+  kMapPixels,       // a: noise, b: faces, c: a coordinate, d: side, e: margin
+  kRoundCurve,      // a: tolerance, b: a hostile one
+  kKeepGrowth,      // a: length, b: a hostile one, c: points
   kOpCount
 };
 

@@ -26,6 +26,8 @@ inline std::string written(double x) {
   std::snprintf(text, sizeof text, "%.17g", x);
   return text;
 }
+inline std::string written(float x) { return written(static_cast<double>(x)); }
+inline std::string written(int32_t x) { return std::to_string(x); }
 inline std::string written(uint8_t x) { return std::to_string(x); }
 inline std::string written(uint32_t x) { return std::to_string(x) + "u"; }
 inline std::string written(uint64_t x) { return std::to_string(x) + "u"; }

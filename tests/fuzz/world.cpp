@@ -42,6 +42,7 @@ void World::call_surface() {
     case kTurnDirections: turn_directions(); break;
     case kReadPolygons: read_polygons(); break;
     case kReadNumbers: read_numbers(); break;
+    case kWriteRows: write_rows(); break;
     case kTriangulate: triangulate(); break;
     case kOutlines: outlines(); break;
     case kCost: cost(); break;
@@ -58,6 +59,7 @@ void World::call_flow() {
     case kStart: start_flow(); break;
     case kWait: wait_for_flow(); break;
     case kPreview: preview(); break;
+    case kKeepGrowth: keep_growth(); break;
     case kSetRadius:
     case kSetDensity:
     case kSetOptions: revise_flow(); break;
@@ -75,6 +77,7 @@ void World::call_getter() {
     case kNodes: nodes(); break;
     case kPointData: point_data(); break;
     case kGaps: gaps(); break;
+    case kRoundCurve: round_curve(); break;
     case kFree: free_functions(); break;
     case kThreads: several_threads(); break;
     default: break;
@@ -84,6 +87,7 @@ void World::call_getter() {
 void World::call_cut() {
   switch (record_.op % kOpCount) {
     case kCut: cut_surface(); break;
+    case kMapPixels: map_pixels(); break;
     default: break;
   }
 }

@@ -96,6 +96,7 @@ class World {
   Shown<const char*> text(std::unique_ptr<char[]>& memory, size_t& size);
   void read_polygons();
   void read_numbers();
+  void write_rows();
   void triangulate();
   void outlines();
   void create_flow();
@@ -103,6 +104,7 @@ class World {
   void start_flow();
   void wait_for_flow();
   void preview();
+  void keep_growth();
   void revise_flow();
   void set_vertices();
   void set_directions();
@@ -112,7 +114,10 @@ class World {
   void nodes();
   void point_data();
   void gaps();
+  void round_curve();
   void cut_surface();
+  void places_of_cut(const Filled<meander_cut>& cut);
+  void map_pixels();
   void free_functions();
   void cost();
   void several_threads();

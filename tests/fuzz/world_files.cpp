@@ -122,6 +122,54 @@ void World::read_numbers() {
   if (status == MEANDER_STATUS_OK && (count > room || end > size)) fail(transcript_, "more numbers than there is room");
 }
 
+/// Rows with room for all of them, and for as many as the record says, again and again: the same text.
+void World::write_rows() {
+  static const char* const kPatterns[] = {"%d\n", "v %.17g %.9g %.0g\n", "%.3f,%.0f;%.17f", "%.4r %.0r", "%%%d%%", "x"};
+  constexpr size_t kColumns[] = {1, 3, 3, 2, 1, 0};
+  constexpr size_t kMostOfNumber = 330;
+  Noise noise(record_.b);
+  const size_t kind = record_.a % std::size(kPatterns), rows = record_.d % 16u;
+  // Up to the first zero, as the library reads it.
+  const std::string pattern = damaged(kPatterns[kind], noise, record_.c % 4u).c_str();
+  const size_t columns = record_.c < 128 ? kColumns[kind] : record_.c % 5u;
+  std::vector<double> values(rows * columns);
+  for (double& x : values) x = std::ldexp(noise.share() - 0.5, static_cast<int>(noise.next() % 140) - 70);
+  if (record_.e && !values.empty()) values[record_.e % values.size()] = hostile(record_.e);
+  if (transcript_.open()) {
+    transcript_.line("std::vector<double> values = " + written(values) + ";");
+    transcript_.line("size_t size = 0, written_rows = 0;");
+  }
+  size_t size = 0, made = 0;
+  const std::unique_ptr<char[]> exact(new char[pattern.size() + 1]);
+  std::copy_n(pattern.c_str(), pattern.size() + 1, exact.get());
+  const auto write = [&](size_t done, char* to, size_t room) {
+    const std::string place = transcript_.open() ? "std::vector<char>(" + std::to_string(room) + ").data()" : "";
+    const Shown<const double*> from{missing(1) ? nullptr : values.data() + done * columns,
+                                    missing(1) ? "nullptr" : "values.data() + " + std::to_string(done * columns)};
+    return call("meander_text_write_rows", meander_text_write_rows,
+                Shown<const char*>{missing(0) ? nullptr : exact.get(),
+                                   missing(0) || !transcript_.open() ? "nullptr" : quoted(pattern)},
+                from, shown(rows - done), shown(columns), Shown<char*>{to, to ? place : "nullptr"}, shown(room),
+                out(size, "size"),
+                missing(2) ? Shown<size_t*>{nullptr, "nullptr"} : Shown<size_t*>{&made, "&written_rows"});
+  };
+  const size_t most = rows * (columns * kMostOfNumber + pattern.size());
+  const std::unique_ptr<char[]> all(new char[most]);
+  if (write(0, all.get(), most) != MEANDER_STATUS_OK) return;
+  if (made != rows || size > most) fail(transcript_, "rows were left out that there was room for");
+  const std::string whole(all.get(), size);
+  std::string joined;
+  const size_t room = has(kNothingFits) ? 0 : size / 2 + 1;
+  for (size_t done = 0; done < rows; done += made) {
+    const std::unique_ptr<char[]> little(new char[room]);
+    if (write(done, little.get(), room) != MEANDER_STATUS_OK) fail(transcript_, "the rest of the rows was refused");
+    if (made > rows - done || size > room) fail(transcript_, "more rows than there is room for");
+    if (made == 0) break;
+    joined.append(little.get(), size);
+    if (done + made == rows && joined != whole) fail(transcript_, "other text in parts than at once");
+  }
+}
+
 void World::triangulate() {
   Noise noise(record_.a);
   std::vector<uint32_t> corners(in_.faces);

@@ -222,6 +222,13 @@ void World::preview() {
   preview.offsets(preview->offsets, preview->strand_count, preview->point_count);
 }
 
+void World::keep_growth() {
+  const FlowSlot& slot = flow();
+  const double step = record_.b ? hostile(record_.b) : slot.options.radius * record_.a;
+  call("meander_flow_keep_growth", meander_flow_keep_growth, flow_handle(), shown(step),
+       shown(size_t{record_.c} * record_.c));
+}
+
 void World::revise_flow() {
   FlowSlot& slot = flow();
   const auto handle = flow_handle();
