@@ -30,12 +30,10 @@ struct Scores {
   Score straight, windows, lines, rays, centre;
 };
 
-/// The finders at every fourth node beside a crease.
+/// The finders at every third node beside a crease.
 Scores scores_on(const Mesh& mesh) {
   constexpr double kLargest = 1.5;  // in r
-  meander_flow_options options = of_radius_one();
-  options.iteration_limit = 90;
-  Filling f(mesh, options);
+  Filling f(mesh, of_radius_one());
   GeodesicDistance geodesic(f.surface);
   const Obstacles obstacles(f.surface, f.patches, f.curve, f.frames, f.boundary, BoundaryRule::kCentre, f.pool);
   const CurveBvh tree(obstacles.positions(), f.pool);
@@ -44,7 +42,7 @@ Scores scores_on(const Mesh& mesh) {
   const GeodesicScene scene{f.surface, f.patches, f.curve, f.frames, obstacles, tree, true, points};
   BallScratch scratch(scene);
   Scores scores;
-  for (uint32_t i = 0; i < f.curve.size(); i += 4) {
+  for (uint32_t i = 0; i < f.curve.size(); i += 3) {
     if (!f.patches.creased(obstacles.patch(i))) continue;
     for (size_t side = 0; side < 2; ++side) {
       const double most = std::min(kLargest * f.r, f.reach[i][side].radius);
