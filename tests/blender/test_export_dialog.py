@@ -29,7 +29,7 @@ def dialog(**given):
     """An operator as the file browser has it; in background none can be opened."""
     functions = {
         name: value
-        for kind in (export.ExportOptions, OPERATOR)
+        for kind in (export.ExportOptions, export.ExportedLines, OPERATOR)
         for name, value in vars(kind).items()
         if isinstance(value, FunctionType)
     }
