@@ -133,3 +133,22 @@ def test_a_spawned_process_is_sent_a_surface_and_nothing_else(tmp_path) -> None:
     assert ended.returncode == 0, ended.stderr
     assert ended.stdout.splitlines()[-1] == "done"
     assert ended.stdout.count("make a new one") == 2
+
+
+class Named(core.Surface):
+    """One that is made of something else, and knows more."""
+
+    def __init__(self, cells: int, name: str) -> None:
+        super().__init__(*geometry.grid(cells))
+        self.name = [name]
+
+
+@pytest.mark.parametrize("name", COPIES)
+def test_a_class_made_from_a_surface_travels_with_what_it_knows(name: str) -> None:
+    with Named(8, "leaf") as surface:
+        expected = curve_on(surface)
+        other = COPIES[name](surface)
+    assert type(other) is Named and other.name == ["leaf"]
+    assert other._pointer != surface._pointer
+    assert curve_on(other) == expected
+    other.close()

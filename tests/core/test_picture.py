@@ -5,6 +5,7 @@ which is looked at on an image of it that Pillow draws, and not by the length of
 from __future__ import annotations
 
 import json
+import os
 import re
 from pathlib import Path
 
@@ -313,6 +314,24 @@ def test_inks_are_layers_or_files(portrait, tmp_path):
     assert run(*words, tmp_path / "out.gcode") == 0
     assert (tmp_path / "out_magenta.gcode").exists() and (tmp_path / "out_yellow.gcode").exists()
     assert not (tmp_path / "out.gcode").exists()
+
+
+@pytest.mark.parametrize("named", ["same.svg", "all_cyan.png", "all_black.gcode", "out.svg"])
+def test_what_is_read_or_written_is_not_written_again(portrait, tmp_path, capsys, named):
+    """Through a hard link, and by the names that files of inks get."""
+    read = tmp_path / named
+    os.link(portrait, read)
+    argv = ["--picture", str(portrait), "--width", "20", "--pen", "1"]
+    argv += {
+        "same.svg": ["--output", str(read)],
+        "out.svg": ["--output", str(tmp_path / "new.svg"), "--report", str(read)],
+        "all_cyan.png": ["--output", str(tmp_path / "all_cyan.obj"), "--preview", str(read)],
+        "all_black.gcode": ["--output", str(tmp_path / "all.gcode"), "--inks", "cyan,black"],
+    }[named]
+    before = portrait.read_bytes()
+    assert batch.main(argv) == 2
+    assert "would overwrite --picture" in capsys.readouterr().err
+    assert read.samefile(portrait) and portrait.read_bytes() == before
 
 
 def test_a_crop_beyond_the_picture_is_a_sentence(portrait, tmp_path, capsys):

@@ -406,3 +406,44 @@ def test_what_an_item_reads_is_a_part_of_what_it_is(items, job, key: str) -> Non
     path.rename(job.folder / "other.obj")
     (item,) = items(text.replace("mine.obj", "other.obj"))
     assert Folder(job.results).key_of(item) == keys[1]
+
+
+@pytest.mark.parametrize("summary", ["meshes/Rock.obj", "job.toml", "link.json"])
+def test_a_summary_is_never_what_the_job_is_made_of(job, capsys, summary: str) -> None:
+    job.meshes(Rock="ok")
+    job.write(SPACING + '[[items]]\ninput = "meshes/Rock.obj"\n', fake=False)
+    (job.folder / "link.json").symlink_to(job.file)
+    victim = job.folder / summary
+    before = victim.read_bytes()
+    assert command.main([str(job.file), "--status", "--summary", str(victim)]) == 2
+    said = capsys.readouterr().err
+    assert "the summary" in said and "would overwrite" in said
+    assert victim.read_bytes() == before
+
+
+def test_an_output_is_never_the_summary_of_the_job_nor_its_file(refused, job) -> None:
+    job.meshes(Rock="ok")
+    text = SPACING + '[[items]]\ninput = "meshes/Rock.obj"\n'
+    said = refused(text + 'output = "Summary.json"\nresample-step = 0.1\n')
+    assert "which is the summary of the job" in said
+    (job.folder / "link").mkdir()
+    (job.folder / "link" / "Rock.obj").symlink_to(job.file)
+    said = refused('[job]\nfolder = "link"\n' + text)
+    assert "which is the job file" in said
+
+
+def test_images_lie_in_the_folder_of_the_job_and_count_as_written(items, refused, job) -> None:
+    (job.folder / "shot.blend").write_text("")
+    text = SPACING + '[[items]]\ninput = "shot.blend"\nobject = ["a", "b"]\nmaps = "{0}.png"\n'
+    assert "would be written by" in refused(text.replace("{0}", "all"))
+    item, _other = items(text.replace("{0}", "{name}"))
+    assert item.options.maps == job.results / f"{item.name}.png"
+    folder = Folder(job.results)
+    folder.make([item])
+    for name in ("_mask.png", "_mask.1002.png", "_not.png"):
+        (job.results / f"{item.name}{name}").write_text("")
+    sizes = folder._sizes_of(item)
+    assert set(sizes) == {f"{item.name}_mask.png", f"{item.name}_mask.1002.png"}
+    key = folder.key_of(item)
+    other = items(text.replace("{0}", "{name}").replace("png", "exr"))[0]
+    assert folder.key_of(other) != key

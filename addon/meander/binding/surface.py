@@ -159,7 +159,11 @@ class Surface(Handle):
 
     def __reduce__(self) -> Any:
         self._alive()
-        return type(self), self._made_of
+        if type(self) is Surface:
+            return Surface, self._made_of
+        # A class made from this one may be made of something else, and have attributes of its own.
+        own = {name: value for name, value in vars(self).items() if name not in _MADE}
+        return _made_again, (type(self), self._made_of), own or None
 
     def close(self) -> None:
         self._made_of = ()
@@ -356,3 +360,15 @@ class Surface(Handle):
                 cancelling,
             )
         return directions
+
+
+# What a surface itself has.
+_MADE = ("_pointer", "_finalizer", "_made_of", "vertex_count")
+
+
+def _made_again(kind: type[Surface], made_of: tuple[Any, ...]) -> Surface:
+    """A surface of a class made from Surface, from what Surface is made of."""
+    surface = kind.__new__(kind)
+    Surface.__init__(surface, *made_of)
+    return surface
+

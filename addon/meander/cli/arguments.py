@@ -13,7 +13,7 @@ from typing import TypeVar
 from .. import core
 from ..model.export import SUFFIXES as EXPORTED
 from ..model.files.meshes import SUFFIXES as MESHES
-from ..model.files.whole import why_no_file
+from ..model.files.whole import are_one, why_no_file
 from ..model.toolpaths.toolpath import SUFFIXES
 from . import (
     blender_flags,
@@ -222,20 +222,9 @@ def _check_outputs(arguments: argparse.Namespace) -> None:
         for other, other_path in taken.items():
             # A scene may be saved over itself: it still holds all that was in it.
             scene = option == "--output" and other == "--input" and path.suffix == ".blend"
-            if not scene and _are_one(target, other_path):
+            if not scene and are_one(target, other_path):
                 raise BadInput(f"{option} would overwrite {other} {path}; choose another name")
         taken[option] = path
-
-
-def _are_one(target: Path, other: Path) -> bool:
-    """Whether two paths name the same file: through links, or in capitals where a file system
-    does not tell them from small letters."""
-    if target == Path(os.path.realpath(other)):
-        return True
-    try:
-        return target.samefile(other)
-    except OSError:  # one of them is not there
-        return False
 
 
 def _is(question: Callable[[Path], _Answer], option: str, path: Path) -> _Answer:

@@ -7,7 +7,6 @@ It is the batch command with --picture in place of --input; see docs/make/pictur
 from __future__ import annotations
 
 import argparse
-import os
 from collections.abc import Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -17,7 +16,7 @@ from .. import core
 from ..model import export
 from ..model.files.obj import write_obj_curve
 from ..model.files.rows import write_pieces
-from ..model.files.whole import naming, whole_files, why_no_file
+from ..model.files.whole import are_one, naming, whole_files, why_no_file
 from ..model.options.export import ROWS
 from ..model.picture import line, strip
 from ..model.picture.drawn import preview
@@ -35,6 +34,8 @@ from .values import BadInput, Parser, file_name, one_of_several, reader
 OPTIONS = ("--picture", "--test-strip")
 PREVIEWS = (".png",)
 OUTPUTS = (".obj", *export.SUFFIXES, *PREVIEWS)
+# Kinds of files with all inks in one.
+_ALL_INKS = (".svg", *PREVIEWS)
 # The options of files that a picture decides itself.
 _DECIDED = ("layout_as", "visible_only", "unit", "scale", "size", "line_width", "force")
 _ROWS = tuple(row for row in ROWS if row.setting not in _DECIDED)
@@ -298,22 +299,21 @@ def _check(arguments: argparse.Namespace, place: Place) -> None:
 
 
 def _check_outputs(arguments: argparse.Namespace) -> None:
-    taken = {
-        os.path.realpath(path): f"--{option}"
-        for option in ("picture", "mask")
-        if (path := getattr(arguments, option)) is not None
-    }
-    for option in ("output", "preview", "report"):
-        path = getattr(arguments, option)
+    named = {f"--{option}": getattr(arguments, option) for option in ("picture", "mask")}
+    taken = [(option, path) for option, path in named.items() if path is not None]
+    written = [("output", path) for path in _named_files(arguments)]
+    written += [(option, getattr(arguments, option)) for option in ("preview", "report")]
+    for option, path in written:
         if path is None:
             continue
         if path.is_dir() or not path.name:
             raise BadInput(f"--{option} {path} is a folder; give a file name")
         if not path.resolve().parent.is_dir():
             raise BadInput(f"the folder of --{option} {path} does not exist; make it first")
-        other = taken.setdefault(os.path.realpath(path), f"--{option}")
-        if other != f"--{option}":
-            raise BadInput(f"--{option} would overwrite {other} {path}; choose another name")
+        for other, other_path in taken:
+            if are_one(path, other_path):
+                raise BadInput(f"--{option} would overwrite {other} {path}; choose another name")
+        taken.append((f"--{option}", path))
 
 
 def _wishes(arguments: argparse.Namespace) -> line.Wishes:
@@ -376,10 +376,21 @@ def _values(arguments: argparse.Namespace) -> dict[str, Any]:
 
 def _files(arguments: argparse.Namespace, layers: list[line.Layer]) -> dict[Path, list[line.Layer]]:
     """The drawings that are written, and what is in them."""
-    path = arguments.output
-    if len(layers) == 1 or path.suffix.lower() in (".svg", *PREVIEWS):
-        return {path: layers}
-    return {path.with_stem(f"{path.stem}_{layer.plan.name}"): [layer] for layer in layers}
+    if len(layers) == 1 or arguments.output.suffix.lower() in _ALL_INKS:
+        return {arguments.output: layers}
+    return {_of_ink(arguments.output, layer.plan.name): [layer] for layer in layers}
+
+
+def _named_files(arguments: argparse.Namespace) -> list[Path]:
+    """The names of the drawings, before there are any."""
+    inks = arguments.inks or ()
+    if len(inks) < 2 or arguments.output.suffix.lower() in _ALL_INKS:
+        return [arguments.output]
+    return [_of_ink(arguments.output, ink) for ink in inks]
+
+
+def _of_ink(path: Path, ink: str) -> Path:
+    return path.with_stem(f"{path.stem}_{ink}")
 
 
 def _write(

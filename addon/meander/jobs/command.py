@@ -78,7 +78,9 @@ def _run(arguments: argparse.Namespace) -> int:
     looks = arguments.list or arguments.dry_run or arguments.status or arguments.slurm
     # A look at a job leaves nothing behind.
     kept = folder.state / "objects" if not looks or folder.state.is_dir() else None
-    items = items_of(job, Meshes(engine.blender_of(job), kept))
+    name = "summary.json" if count == 1 else f"summary-{number}-of-{count}.json"
+    summary = arguments.summary or folder.path / name
+    items = items_of(job, Meshes(engine.blender_of(job), kept), summary)
     if arguments.slurm is not None:
         if arguments.shard is not None:
             raise JobError("--slurm makes the shards itself; leave --shard out")
@@ -106,9 +108,8 @@ def _run(arguments: argparse.Namespace) -> int:
         finished = worker.run()
     progress.conclude(interrupted=not finished)
     if not arguments.status or arguments.summary is not None:
-        name = "summary.json" if count == 1 else f"summary-{number}-of-{count}.json"
-        summary = {"job": str(job.path), "shard": arguments.shard, "interrupted": not finished}
-        write_summary(arguments.summary or folder.path / name, summary | progress.summary())
+        told = {"job": str(job.path), "shard": arguments.shard, "interrupted": not finished}
+        write_summary(summary, told | progress.summary())
     if not finished:
         return 130
     return 1 if progress.failures or progress.left else 0

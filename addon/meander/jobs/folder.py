@@ -65,7 +65,7 @@ class Folder:
 
     def make(self, items: list[Item]) -> None:
         """Makes all folders that the items write into. Raises JobError."""
-        places = {path.parent for item in items for path in (*item.written, item.log)}
+        places = {path.parent for item in items for path in item.places}
         places |= {self._note_of(item).parent for item in items} | {self.state}
         for place in sorted(places):
             try:
@@ -88,7 +88,7 @@ class Folder:
             if name not in _NOT_IN_KEY
         }
         read = [self._digest(path) for path in files_read(item.options).values()]
-        suffixes = [path.suffix for path in item.written]
+        suffixes = [path.suffix for path in item.places if path != item.log]
         whole = json.dumps([1, core.VERSION, said, read, suffixes], sort_keys=True)
         return hashlib.sha256(whole.encode("utf-8")).hexdigest()
 
@@ -150,7 +150,7 @@ class Folder:
     def _sizes_of(self, item: Item) -> dict[str, int]:
         """The size of every file of an item that is there, in bytes."""
         sizes: dict[str, int] = {}
-        for path in item.written:
+        for path in (*item.written, *item.images):
             with contextlib.suppress(OSError):
                 sizes[os.path.relpath(path, self.path)] = path.stat().st_size
         return sizes
@@ -171,7 +171,7 @@ class Folder:
 
 # Where things lie, whose bytes count instead, and what changes nothing in them.
 _NOT_IN_KEY = (
-    *("input", "seed", "guides", "output", "cut", "report", "threads", "quiet"),
+    *("input", "seed", "guides", "output", "cut", "maps", "report", "threads", "quiet"),
     *("limit_nodes", "limit_memory"),
 )
 

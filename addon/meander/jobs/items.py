@@ -18,6 +18,7 @@ from typing import Any
 
 from ..cli.arguments import files_read
 from ..model.files.whole import why_no_file
+from ..model.maps import is_of
 from . import job_file, options
 from .job_file import JobError, JobFile, texts
 from .objects import Meshes
@@ -53,10 +54,25 @@ class Item:
         outputs = [path for path in (self.options.output, self.options.cut) if path is not None]
         return [*outputs, self.report]
 
+    @property
+    def places(self) -> list[Path]:
+        """What names the files that are written: those, the log, and what images are called by."""
+        of_images = [] if self.options.maps is None else [self.options.maps]
+        return [*self.written, self.log, *of_images]
 
-def items_of(job: JobFile, meshes: Meshes) -> list[Item]:
+    @property
+    def images(self) -> list[Path]:
+        """The images of its maps that are there, whose number the UV map decides."""
+        maps = self.options.maps
+        if maps is None or not maps.parent.is_dir():
+            return []
+        return sorted(path for path in maps.parent.iterdir() if is_of(maps, path))
+
+
+def items_of(job: JobFile, meshes: Meshes, summary: Path | None = None) -> list[Item]:
     """All items of a job, in the order of its file. Raises JobError.
 
+    summary  is written of the job, beside what the items write; None: nothing
     meshes   says which meshes a .blend holds, where an item has a pattern for their names
     """
     named: dict[str, Item] = {}
@@ -70,7 +86,7 @@ def items_of(job: JobFile, meshes: Meshes) -> list[Item]:
                 raise JobError(f"{where}: {_one_name(item.name, other.options, item.options)}")
             named[one_file(item.name)] = item
     items = list(named.values())
-    _check_paths(items)
+    _check_paths(items, job.path, summary)
     return items
 
 
@@ -290,16 +306,28 @@ def _existing(where: str, key: str, folder: Path, value: Any) -> Path:
     return path
 
 
-def _check_paths(items: list[Item]) -> None:
-    """Refuses items of which one would overwrite what another reads or writes."""
+def _check_paths(items: list[Item], job: Path, summary: Path | None) -> None:
+    """Refuses items of which one would overwrite what another or the job reads or writes."""
     read: dict[str, Item] = {}
     written: dict[str, Item] = {}
+    of_job = {one_file(os.path.realpath(job)): "the job file"}
     for item in items:
         for path in files_read(item.options).values():
             read[one_file(os.path.realpath(path))] = item
+    if summary is not None:
+        place = one_file(os.path.realpath(summary))
+        if place in of_job or place in read:
+            what = of_job.get(place) or f"what {read[place].name} is made from"
+            raise JobError(f"the summary {summary} would overwrite {what}; choose another --summary")
+        of_job[place] = "the summary of the job"
     for item in items:
-        for path in (*item.written, item.log):
+        for path in item.places:
             place = one_file(os.path.realpath(path))
+            if place in of_job:
+                raise JobError(
+                    f"{item.name} would overwrite {path}, which is {of_job[place]}; choose another "
+                    "folder or output"
+                )
             if place in read:
                 raise JobError(
                     f"{item.name} would overwrite {path}, from which {read[place].name} is made; "

@@ -26,7 +26,7 @@ _REFUSED = {
     "version": "every report has it",
 }
 # Paths of files that are written.
-WRITTEN_KEYS = ("output", "cut")
+WRITTEN_KEYS = ("output", "cut", "maps")
 
 
 def read_keys() -> tuple[str, ...]:

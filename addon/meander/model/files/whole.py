@@ -43,6 +43,17 @@ def why_no_file(path: Path) -> str:
     return "does not exist; check the path"
 
 
+def are_one(path: Path, other: Path) -> bool:
+    """Whether two paths name the same file: through links, or in capitals where a file system
+    does not tell them from small letters."""
+    if os.path.realpath(path) == os.path.realpath(other):
+        return True
+    try:
+        return path.samefile(other)
+    except OSError:  # one of them is not there
+        return False
+
+
 class NotWritten(FileError):
     """One that cannot be written.
 
