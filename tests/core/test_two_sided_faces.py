@@ -149,6 +149,44 @@ def triangles_with_another_diagonal() -> tuple[Polygons, float]:
     return (vertices, one + other), 1.0
 
 
+def _bent(own: bool, front: Sequence[int], back: Sequence[int]) -> tuple[Polygons, float]:
+    """A hill of triangles, each quad divided from one of its corners, whose back is divided from
+    others; with 4 in `back` that has quads."""
+    vertices, polygons = hill()
+
+    def divided(starts: Sequence[int]) -> list[list[int]]:
+        found = []
+        for number, quad in enumerate(polygons):
+            at = starts[number % len(starts)]
+            a, b, c, d = [*quad[at:], *quad[:at]]
+            found += [[a, b, c, d]] if at == 4 else [[a, b, c], [a, c, d]]
+        return found
+
+    shown = turned(divided(back), len(vertices) if own else 0)
+    size = area((vertices, divided(front)))
+    return (np.vstack([vertices, vertices]) if own else vertices, divided(front) + shown), size
+
+
+@case
+def bent_triangles_whose_back_has_the_other_diagonals() -> tuple[Polygons, float]:
+    return _bent(False, [0], [1])
+
+
+@case
+def bent_triangles_whose_back_has_others_and_vertices_of_its_own() -> tuple[Polygons, float]:
+    return _bent(True, [1], [0])
+
+
+@case
+def bent_triangles_whose_back_has_others_here_and_there() -> tuple[Polygons, float]:
+    return _bent(True, [0, 1, 1], [0, 0, 1, 1, 0])
+
+
+@case
+def bent_triangles_whose_back_has_quads() -> tuple[Polygons, float]:
+    return _bent(True, [1], [4])
+
+
 @case
 def a_copy_that_was_never_moved() -> tuple[Polygons, float]:
     mesh = box()
@@ -189,6 +227,13 @@ def two_boxes_on_each_other() -> tuple[Polygons, int]:
 def a_tetrahedron() -> tuple[Polygons, int]:
     vertices = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], dtype=float)
     return (vertices, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]), 1
+
+
+@staying
+def a_flat_tetrahedron() -> tuple[Polygons, int]:
+    """It has an angle of more than a right one at two opposite edges."""
+    vertices = np.array([(0, 0, 0), (1, 0, 0.1), (1, 1, 0), (0, 1, 0.1)])
+    return (vertices, [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]), 1
 
 
 @staying

@@ -10,6 +10,7 @@
 #include "base/eigen.h"
 
 #include "base/disjoint_sets.h"
+#include "mesh/divided_quads.h"
 #include "mesh/repairs.h"
 #include "mesh/shared_places.h"
 
@@ -18,24 +19,19 @@ namespace {
 
 using Vec3 = Eigen::Vector3d;
 
-/// A share of the size of a mesh: vertices this near to a plane are in it, in single precision too.
-constexpr double kInOnePlane = 1e-6;
-
-/// Cells of many times the distance, so that most queries look into one.
-constexpr double kCell = 16;
-
 constexpr uint32_t kNobody = UINT32_MAX;
 
 class DoubleSearch {
  public:
   DoubleSearch(Soup& soup, std::span<const uint32_t> polygons)
       : soup_(soup), polygons_(polygons), poll_(soup.poll()), positions_(soup.positions()), faces_(soup.faces()),
-        place_(shared_places(positions_, soup.used(), kOnePlace * soup.diagonal(), kCell, poll_)),
+        place_(shared_places(positions_, soup.used(), kOnePlace * soup.diagonal(), kDoublesCell, poll_)),
         patch_(faces_.size()) {}
 
   DoubledPolygons find() {
     find_edges();
     join_patches();
+    sort_by_patch();
     find_outlines();
     find_copies();
     for (const Rule rule : {Rule::kAll, Rule::kWoundAlike}) leave_out(rule);
@@ -69,7 +65,10 @@ class DoubleSearch {
 
   void find_edges();
   void join_patches();
+  std::vector<uint8_t> join_polygons(DisjointSets& patches);
+  void sort_by_patch();
   bool continue_each_other(uint32_t one, uint32_t other, const VertexPair& edge) const;
+  bool in_one_plane(uint32_t one, uint32_t other, const VertexPair& edge) const;
   void find_outlines();
   void find_copies();
   bool same_shape(const Outline& first, const Outline& other);
@@ -119,36 +118,64 @@ void DoubleSearch::find_edges() {
 
 void DoubleSearch::join_patches() {
   DisjointSets patches(faces_.size());
-  std::vector<uint32_t> order(faces_.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::ranges::stable_sort(order, [&](uint32_t f, uint32_t g) { return poll_(), polygon(f) < polygon(g); });
-  for (size_t i = 1; i < order.size(); ++i) {
-    if (polygon(order[i - 1]) == polygon(order[i])) patches.join(order[i - 1], order[i]);
-  }
+  const std::vector<uint8_t> is_quad = join_polygons(patches);
   for_each_edge([&](uint32_t, const VertexPair& edge, EdgeSides sides) {
     ends_.push_back(edge);
     if (sides.size() != 2) return;
     const uint32_t one = half_edges_[sides[0].half_edge], other = half_edges_[sides[1].half_edge];
-    if (patches.find(one / 3) == patches.find(other / 3)) return;
-    if (continue_each_other(one, other, edge)) patches.join(one / 3, other / 3);
+    if (patches.find(one / 3) == patches.find(other / 3) || is_quad[one / 3] || is_quad[other / 3]) return;
+    if (continue_each_other(one, other, edge) && in_one_plane(one, other, edge)) patches.join(one / 3, other / 3);
   });
-  first_.assign(faces_.size() + 1, 0);
-  for (uint32_t f = 0; f < faces_.size(); ++f) {
-    patch_[f] = patches.find(f);
-    ++first_[patch_[f] + 1];
+  for (uint32_t f = 0; f < faces_.size(); ++f) patch_[f] = patches.find(f);
+}
+
+/// Joins polygons of more than two triangles, and quads that are there with both diagonals, whoever has divided them.
+/// Returns per face whether it is in such a quad.
+std::vector<uint8_t> DoubleSearch::join_polygons(DisjointSets& patches) {
+  std::vector<uint32_t> order(faces_.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, [&](uint32_t f, uint32_t g) { return poll_(), polygon(f) < polygon(g); });
+  DividedQuads quads(place_, faces_);
+  std::vector<uint8_t> is_triangle(faces_.size(), 0), is_quad(faces_.size(), 0);
+  for (size_t i = 0, end = 0; i < order.size(); i = end) {
+    while (end < order.size() && polygon(order[end]) == polygon(order[i])) ++end;
+    if (end - i == 1) is_triangle[order[i]] = 1;
+    if (end - i == 2) quads.add_polygon(order[i], order[i + 1]);
+    for (size_t k = i + 1; k < end && end - i > 2; ++k) patches.join(order[i], order[k]);
   }
+  for_each_edge([&](uint32_t, const VertexPair& edge, EdgeSides sides) {
+    const uint32_t e = half_edges_[sides[0].half_edge];
+    if (sides.size() != 2) return quads.add_edge_of_many(sides, half_edges_);
+    const uint32_t o = half_edges_[sides[1].half_edge];
+    if (is_triangle[e / 3] && is_triangle[o / 3] && continue_each_other(e, o, edge)) quads.add_pair(e, o);
+  });
+  for (const auto& [one, other] : quads.with_both_diagonals(poll_)) {
+    patches.join(one, other);
+    is_quad[one] = is_quad[other] = 1;
+  }
+  return is_quad;
+}
+
+void DoubleSearch::sort_by_patch() {
+  first_.assign(faces_.size() + 1, 0);
+  for (const uint32_t patch : patch_) ++first_[patch + 1];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   by_patch_.resize(faces_.size());
   std::vector<uint32_t> next(first_.begin(), first_.end() - 1);
   for (uint32_t f = 0; f < faces_.size(); ++f) by_patch_[next[patch_[f]]++] = f;
 }
 
-/// Do two faces lie in one plane, side by side?
+/// Do two faces lie on different sides of their edge?
 bool DoubleSearch::continue_each_other(uint32_t one, uint32_t other, const VertexPair& edge) const {
   const Vec3 &a = positions_[edge[0]], &b = positions_[edge[1]];
   const Vec3 c = positions_[apex(faces_, one)] - a, d = positions_[apex(faces_, other)] - a;
+  return (b - a).cross(c).dot((b - a).cross(d)) < 0;
+}
+
+bool DoubleSearch::in_one_plane(uint32_t one, uint32_t other, const VertexPair& edge) const {
+  const Vec3 &a = positions_[edge[0]], &b = positions_[edge[1]];
+  const Vec3 c = positions_[apex(faces_, one)] - a, d = positions_[apex(faces_, other)] - a;
   const Vec3 n = (b - a).cross(c), m = (b - a).cross(d);
-  if (!(n.dot(m) < 0)) return false;
   // The plane of the larger one.
   const double distance = n.squaredNorm() > m.squaredNorm() ? n.normalized().dot(d) : m.normalized().dot(c);
   return std::abs(distance) <= kInOnePlane * soup_.diagonal();
@@ -206,11 +233,12 @@ void DoubleSearch::find_copies() {
   for (uint32_t t = 0; t < copies_.size(); ++t) copy_of_[copies_[t].patch] = t;
 }
 
-/// Are two patches with the same outline the same surface? Triangles are, and polygons; what several of them make is
-/// where all of it is in one plane.
+/// Are two patches with the same outline the same surface? Triangles are, quads, and polygons; what several of them
+/// make is where all of it is in one plane.
 bool DoubleSearch::same_shape(const Outline& first, const Outline& other) {
   const auto is_one = [&](const Outline& outline) {
     const auto faces = faces_of(outline.patch());
+    if (outline.sides.size() == 4 && faces.size() == 2) return true;
     return std::ranges::all_of(faces, [&](uint32_t f) { return polygon(f) == polygon(faces[0]); });
   };
   if (is_one(first) && is_one(other)) return true;
@@ -348,43 +376,6 @@ void drop_doubled_polygons(Soup& soup, std::span<const uint32_t> polygons, Prepa
   DisjointSets sets(soup.positions().size());
   for (const auto& [one, other] : doubled.vertices) sets.join(one, other);
   counts.dropped_faces += soup.rename([&](uint32_t v) { return sets.find(v); });
-}
-
-/// Of a surface whose vertices are all in places of their own two polygons can only have the same outline where they
-/// are a component by themselves.
-bool may_have_doubled_polygons(const Surface& surface, std::span<const uint32_t> polygons, const CancelToken& cancel) {
-  const auto face_count = static_cast<uint32_t>(surface.face_count());
-  const uint32_t components = surface.component_count();
-  std::vector<uint8_t> used(surface.vertex_count(), 0), bent(components, 0), many(components, 0);
-  std::vector<uint32_t> largest(components, kNobody), low(components, UINT32_MAX), high(components, 0);
-  const auto polygon = [&](uint32_t f) { return polygons.empty() ? f : polygons[f]; };
-  for (uint32_t f = 0; f < face_count; ++f) {
-    const uint32_t c = surface.component(f), p = polygon(f);
-    for (const uint32_t v : surface.face(f)) used[v] = 1;
-    if (largest[c] == kNobody || surface.face_area(f) > surface.face_area(largest[c])) largest[c] = f;
-    low[c] = std::min(low[c], p);
-    high[c] = std::max(high[c], p);
-  }
-  for (uint32_t f = 0; f < face_count; ++f) {
-    const uint32_t c = surface.component(f), p = polygon(f);
-    if (p != low[c] && p != high[c]) many[c] = 1;
-    const Vec3& base = surface.position(surface.face(largest[c])[0]);
-    for (const uint32_t v : surface.face(f)) {
-      if (std::abs(surface.face_normal(largest[c]).dot(surface.position(v) - base)) > kInOnePlane) bent[c] = 1;
-    }
-  }
-  for (const HalfEdge e : surface.boundary()) bent[surface.component(e / 3)] = many[surface.component(e / 3)] = 1;
-  for (uint32_t c = 0; c < components; ++c) {
-    if (!bent[c] || !many[c]) return true;
-  }
-  std::vector<Vec3> positions;
-  positions.reserve(surface.vertex_count());
-  for (uint32_t v = 0; v < surface.vertex_count(); ++v) positions.push_back(surface.position(v));
-  const std::vector<uint32_t> place = shared_places(positions, used, kOnePlace, kCell, cancel.every(1u << 16));
-  for (uint32_t v = 0; v < place.size(); ++v) {
-    if (place[v] != v) return true;
-  }
-  return false;
 }
 
 }  // namespace meander

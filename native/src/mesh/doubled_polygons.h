@@ -14,6 +14,12 @@
 
 namespace meander {
 
+/// A share of the size of a mesh: vertices this near to a plane are in it, in single precision too.
+inline constexpr double kInOnePlane = 1e-6;
+
+/// Cells of the search for vertices in one place: of many times the distance, so that most queries look into one.
+inline constexpr double kDoublesCell = 16;
+
 /// Triangles to be left out, and the vertices whose places are taken by those of what stays.
 struct DoubledPolygons {
   std::vector<uint32_t> faces;  ///< rising
@@ -24,9 +30,10 @@ struct DoubledPolygons {
 /// Of polygons with the same outline all but the one with the lowest face, unless that would tear a surface.
 ///
 /// A polygon is the faces that the caller says are one; so are faces in one plane that continue each other at edges
-/// where nothing else meets. Two have the same outline where its edges lie between the same places, in either
+/// where nothing else meets, and two on the corners of a quad, bent or not, that is there once more with the other
+/// diagonal. Two have the same outline where its edges lie between the same places, in either
 /// direction; vertices share a place within 1e-7 of the size of the soup, so that the two sides of whatever has a
-/// thickness never do. Polygons of faces that nobody has called one must also lie in one plane.
+/// thickness never do. Polygons of faces that nobody has called one must also be such quads, or lie in one plane.
 ///
 /// Polygons side by side go or stay together. They stay where one of them lies between two surfaces that it closes, as
 /// two boxes with vertices of their own that touch along a wall have it twice, and none has a free edge. Copies that
