@@ -7,6 +7,7 @@ import copy
 import dataclasses
 import pickle
 
+import geometry
 import numpy as np
 import pytest
 from meander import core
@@ -75,3 +76,19 @@ def test_there_are_no_other_classes_of_options() -> None:
         and not getattr(core, name).__dataclass_params__.frozen
     }
     assert changeable == {"FlowOptions", "Seed", "SurfaceOptions"}
+
+
+def test_what_is_no_options_is_a_sentence() -> None:
+    square = geometry.grid(2)
+    surface, options = core.Surface(*square), core.default_options()
+    for made, words in (
+        (lambda: core.Surface(*square, {"merge_distance": 0.1}), "SurfaceOptions, not a dict"),
+        (lambda: core.Flow(surface, {"radius": 0.1}), "FlowOptions, not a dict"),
+        (lambda: core.Flow(surface, None), "FlowOptions, not a NoneType"),
+        (lambda: core.Flow(surface, options, np.zeros((2, 3))), "Seed, not a ndarray"),
+        (lambda: core.option_warnings({"radius": 0.1}), "FlowOptions, not a dict"),
+    ):
+        with pytest.raises(core.MeanderError) as caught:
+            made()
+        assert_sentence(str(caught.value))
+        assert words in str(caught.value)

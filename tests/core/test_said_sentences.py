@@ -244,6 +244,9 @@ def others(folder: Path) -> list[str]:
             [toolpath.strand_of(0.0 * flat, up, False)], "mm", 1.0, 1.0, 0.0, True)),
         said_of(lambda: "".join(gcode.gcode_pieces(
             drawing.Drawing([strand], "cm", True), gcode.Motion(), "a", "1"))),
+        *(said_of(lambda motion=motion: "".join(gcode.gcode_pieces(
+            drawing.Drawing([strand], "mm", True), motion, "a", "1")))
+          for motion in (gcode.Motion(tool="laser", dip_every=1.0), gcode.Motion(dip_every=1e-9))),
         reading(folder, "a.obj", face_of_nothing),
         reading(folder, "a.stl", f"solid a\n{spiky}endloop\nendfacet\n".encode()),
         reading(folder, "b.stl", binary_stl(0)[:84]),

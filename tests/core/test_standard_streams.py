@@ -83,6 +83,9 @@ def test_a_curve_goes_out_alone(mesh: Path, tmp_path: Path, kind: str) -> None:
     wanted = file.read_bytes().replace(b"<title>out", b"<title>the standard output")
     assert ended.stdout == wanted.replace(b"; out,", b"; the standard output,")
     assert ended.stderr.startswith(b"meander: ")
+    assert ended.stderr.rstrip().endswith(b"meander: wrote the standard output")
+    quiet = _run(mesh.read_bytes(), *options, "--quiet")
+    assert (quiet.returncode, quiet.stdout, quiet.stderr) == (0, ended.stdout, b"")
 
 
 def test_a_report_and_a_seed_are_piped(mesh: Path, tmp_path: Path) -> None:

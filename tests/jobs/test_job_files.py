@@ -447,3 +447,13 @@ def test_images_lie_in_the_folder_of_the_job_and_count_as_written(items, refused
     key = folder.key_of(item)
     other = items(text.replace("{0}", "{name}").replace("png", "exr"))[0]
     assert folder.key_of(other) != key
+
+
+def test_in_a_folder_that_was_deleted_there_is_a_sentence(tmp_path, monkeypatch, capsys) -> None:
+    (tmp_path / "gone").mkdir()
+    monkeypatch.chdir(tmp_path / "gone")
+    (tmp_path / "gone").rmdir()
+    assert command.main(["fill.toml"]) == 2
+    said = capsys.readouterr().err
+    assert_sentence(said.strip())
+    assert "change into a folder that exists" in said

@@ -52,6 +52,12 @@ def said(job: Job, capsys: pytest.CaptureFixture, monkeypatch: pytest.MonkeyPatc
     run('[job]\nblender = "false"\n' + SCENE + 'object = "*"\n')
     refused(lambda: items_of(item_of(SCENE + 'object = "Stone*"\n')[0], Listed()))
     refused(lambda: job_file.read(job.folder / "none.toml"))
+    with monkeypatch.context() as patch:
+        gone = job.folder / "gone"
+        gone.mkdir()
+        patch.chdir(gone)
+        gone.rmdir()
+        refused(lambda: job_file.read(Path("job.toml")))
     job.file.write_bytes(b"# \xff\xfd\xf6\n")
     refused(lambda: job_file.read(job.file))
     with monkeypatch.context() as patch:

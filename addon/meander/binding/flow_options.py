@@ -13,7 +13,7 @@ from .calls import call, prepared
 from .choices import PRESETS
 from .errors import MeanderError
 from .handle import chosen
-from .named import only_its_names
+from .named import only_its_names, refuse_other
 from .native_library import native
 
 
@@ -80,6 +80,7 @@ def _number(name: str, value: object, whole: bool) -> int | float:
 
 def options_record(options: FlowOptions) -> FlowOptionsRecord:
     """The C struct of options; what they do not name is as the preset has it."""
+    refuse_other("options", options, FlowOptions)
     record = prepared(FlowOptionsRecord, chosen("preset", options.preset, PRESETS))
     kinds = {field[0]: field[1] for field in FlowOptionsRecord._fields_}
     for name in _OPTION_NAMES:

@@ -28,6 +28,7 @@ from .errors import MeanderError
 from .flow_options import FlowOptions, options_record
 from .handle import Handle, address_of, checked_array, chosen, created
 from .interruption import heard
+from .named import refuse_other
 from .native_library import native
 from .seed import Seed, seed_record
 from .spacing import automatic_spacing, spacing_for
@@ -251,6 +252,7 @@ class FlowRun(Handle):
 
 def _with_spacing(options: FlowOptions, surface: Surface) -> FlowOptions:
     """The same options where they have a radius; else with that of the automatic spacing."""
+    refuse_other("options", options, FlowOptions)
     if options.radius != 0:
         return options
     area = surface.statistics()["area"]

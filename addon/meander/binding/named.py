@@ -45,3 +45,12 @@ def only_its_names(kind: _Class) -> _Class:
     kind.__init__ = __init__
     kind.__setattr__ = __setattr__
     return kind
+
+
+def refuse_other(what: str, value: Any, kind: type) -> None:
+    """Raises MeanderError for what is none of a class of options, as a dict of them is."""
+    if not isinstance(value, kind):
+        raise MeanderError(
+            f"{what} must be a {kind.__name__}, not a {type(value).__name__}; make one, and set "
+            "its attributes"
+        )

@@ -13,7 +13,7 @@ from .abi import SeedRecord, Status
 from .calls import prepared
 from .errors import MeanderError
 from .handle import address_of, checked_array
-from .named import only_its_names
+from .named import only_its_names, refuse_other
 
 
 @only_its_names
@@ -46,6 +46,7 @@ def seed_record(seed: Seed) -> tuple[SeedRecord, tuple[NDArray[Any], ...]]:
 
     The library cannot see how long the arrays are, so their lengths are checked here.
     """
+    refuse_other("seed", seed, Seed)
     points = checked_array("the seed's points", seed.points, np.float64, 3)
     offsets = checked_array("the seed's offsets", seed.offsets, np.uint32, None)
     closed = checked_array("the seed's closed flags", seed.closed, np.uint8, None)

@@ -25,7 +25,7 @@ from .elsewhere import mesh_arrays
 from .errors import MeanderError
 from .handle import Handle, address_of, checked_array, chosen, created, narrow_offsets
 from .mesh_search import Closest, _closest
-from .named import only_its_names
+from .named import only_its_names, refuse_other
 from .native_library import native
 from .seed import Seed
 
@@ -70,6 +70,7 @@ def _surface_options_record(
     options: SurfaceOptions, vertex_count: int, face_count: int
 ) -> tuple[SurfaceOptionsRecord, tuple[NDArray[Any], ...]]:
     """The C struct of the options, and the arrays that it points to."""
+    refuse_other("options", options, SurfaceOptions)
     record = prepared(SurfaceOptionsRecord)
     record.drop_degenerate = bool(options.drop_degenerate)
     record.split_bow_ties = bool(options.split_bow_ties)

@@ -161,7 +161,7 @@ def check_options(arguments: argparse.Namespace) -> None:
     if wrong is not None:
         raise BadInput(wrong)
     kind = arguments.input.suffix.lower()
-    if kind not in INPUTS:
+    if kind not in INPUTS and not _is(Path.is_dir, "--input", arguments.input):
         kinds = ", ".join(INPUTS[:-1])
         raise BadInput(f"--input {arguments.input} is no {kinds} or {INPUTS[-1]} file")
     for name, path in files_read(arguments).items():
@@ -186,6 +186,8 @@ def check_options(arguments: argparse.Namespace) -> None:
     strand_problem = strands.problem_of(arguments)
     if strand_problem is not None:
         raise BadInput(strand_problem)
+    if _is(Path.is_dir, "--output", arguments.output) or not arguments.output.name:
+        raise BadInput(f"--output {arguments.output} is a folder; give a file name")
     if arguments.output.suffix.lower() not in OUTPUTS:
         kinds = ", ".join(OUTPUTS[:-1])
         raise BadInput(f"--output {arguments.output} is no {kinds} or {OUTPUTS[-1]} file")

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
 import tempfile
 from collections.abc import Iterator
@@ -65,7 +66,8 @@ def streams(arguments: argparse.Namespace, place: Place) -> Iterator[Place]:
             kind = "json" if name == "report" else arguments.output_format
             setattr(arguments, name, Path(folder) / f"the standard output.{kind}")
         # What is said does not go between the bytes of a file.
-        say = partial(print, file=sys.stderr, flush=True) if written else place.say
+        aside = written and not arguments.quiet
+        say = partial(print, file=sys.stderr, flush=True) if aside else place.say
         try:
             yield replace(place, say=lambda line: while_heard(say, _without(folder, line)))
         except (BadInput, FileError) as problem:
@@ -88,7 +90,9 @@ def beside_output(arguments: argparse.Namespace) -> Path:
 
 
 def _without(folder: str, text: str) -> str:
-    return text.replace(f"{folder}{os.sep}", "")
+    # "the standard output.svg" is the name of a file for what is written into it only.
+    within = re.escape(f"{folder}{os.sep}")
+    return re.sub(rf"{within}(?:(the standard output)(?:\.\w+)+)?", r"\1", text)
 
 
 def _kind_of(data: bytes, option: str) -> str:

@@ -318,7 +318,9 @@ def _check_paths(items: list[Item], job: Path, summary: Path | None) -> None:
         place = one_file(os.path.realpath(summary))
         if place in of_job or place in read:
             what = of_job.get(place) or f"what {read[place].name} is made from"
-            raise JobError(f"the summary {summary} would overwrite {what}; choose another --summary")
+            raise JobError(
+                f"the summary {summary} would overwrite {what}; choose another --summary"
+            )
         of_job[place] = "the summary of the job"
     for item in items:
         for path in item.places:

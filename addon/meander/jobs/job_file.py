@@ -58,7 +58,12 @@ class JobFile:
 
 def read(path: Path) -> JobFile:
     """The job that a file describes. Raises JobError."""
-    path = Path(os.path.abspath(path))
+    try:
+        path = Path(os.path.abspath(path))
+    except OSError as problem:  # the current folder has been deleted
+        raise JobError(
+            f"{path} cannot be read ({problem.strerror}); change into a folder that exists"
+        ) from problem
     tables = _tables(path)
     for name in tables:
         if name not in ("job", "defaults", "items"):

@@ -40,6 +40,8 @@ _OF_TOOLS = {
     "servo_down": ("SERVO",),
     "servo_up": ("SERVO",),
 }
+# Those of a brush that is dipped.
+_OF_BRUSH = ("dip_x", "dip_y", "dip_height")
 
 
 # On all sides of the page for which the size of an unrolled drawing is chosen, in millimetres.
@@ -150,6 +152,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
             if setting == "visible_only" and not export.is_seen(kind, self.layout_as.lower()):
                 continue
             if self.tool not in _OF_TOOLS.get(setting, (self.tool,)):
+                continue
+            if setting in _OF_BRUSH and not self.dip_every:
                 continue
             row = layout.row()
             row.active = setting != "scale" or self.size == 0.0

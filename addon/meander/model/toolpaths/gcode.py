@@ -18,6 +18,7 @@ import numpy as np
 from ..files.rows import rows
 from ..files.whole import FileError
 from ..geometry.arcs import Moves
+from .brush import Brush
 from .drawing import Drawing, number, ring
 
 # What a comment may hold. Some controllers look for commands in whatever comes along the wire: Grbl
@@ -60,6 +61,9 @@ class Motion:
     power          of a laser or a spindle, in per cent of its greatest
     servo_down, servo_up   angles of a servo, in degrees
     relative       moves are given by how far they go
+    dip_every      way after which a brush is dipped again, and at first; 0: it is no brush
+    dip_x, dip_y   where the palette is
+    dip_height     how low the brush goes there
     """
 
     feed: float = 1200.0
@@ -75,6 +79,10 @@ class Motion:
     servo_down: float = 0.0
     servo_up: float = 60.0
     relative: bool = False
+    dip_every: float = 0.0
+    dip_x: float = 0.0
+    dip_y: float = 0.0
+    dip_height: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -131,10 +139,15 @@ def gcode_pieces(
     """
     if drawing.unit not in _UNIT_WORDS:
         raise FileError("G-code knows millimetres and inches; choose one of these as the unit")
+    if motion.dip_every > 0.0 and motion.tool == "laser":
+        raise FileError("A laser cannot be dipped; choose a pen or a servo, or set the dips to 0")
     writer = _Writer(drawing, motion)
     words = writer.words
+    brush = Brush(motion.dip_every / drawing.millimetres) if motion.dip_every > 0.0 else None
     layers = [_offset(drawing, motion, layer) for layer in range(motion.layers)]
     writer.safe = max(float(way[:, 2].max()) for ways in layers for way in ways)
+    if brush is not None:
+        writer.safe = max(writer.safe, motion.dip_height / drawing.millimetres)
     writer.safe += motion.lift / drawing.millimetres
     writer.line(f"; {_plain(title)}, Meander {version}")
     strands = "1 strand" if len(drawing.strands) == 1 else f"{len(drawing.strands)} strands"
@@ -152,7 +165,14 @@ def gcode_pieces(
                 writer.line(f"M0 ; part {strand.part}")
             kind = "closed" if strand.closed else "open"
             writer.line(f"; layer {layer}, strand {place + 1}, {kind}")
-            yield from writer.follow(way, None if drawing.moves is None else drawing.moves[place])
+            moves = None if drawing.moves is None else drawing.moves[place]
+            if brush is None:
+                yield from writer.follow(way, moves)
+                continue
+            for stretch, its_moves, dipped in brush.stretches(way, moves):
+                if dipped:
+                    writer.dip()
+                yield from writer.follow(stretch, its_moves)
     writer.end()
     for line in words.foot if foot is None else foot:
         writer.line(line)
@@ -201,7 +221,7 @@ class _Writer:
         self.safe = 0.0
         self.words = _CONTROLLERS[motion.machine]
         self._motion, self._flat = motion, drawing.flat
-        self._decimals = _DECIMALS[drawing.unit]
+        self._decimals, self._millimetres = _DECIMALS[drawing.unit], drawing.millimetres
         self._feed = number(motion.feed / drawing.millimetres, 3)
         self._travel_feed = number(motion.travel_feed / drawing.millimetres, 3)
         self._lifts = motion.tool in ("pen", "spindle")
@@ -239,6 +259,20 @@ class _Writer:
             self.line(self.words.off)
         elif self._motion.tool == "spindle":
             self.line(self.words.spindle_off)
+
+    def dip(self) -> None:
+        """To the palette, down into the paint and up again."""
+        motion, size = self._motion, self._millimetres
+        x, y, z = motion.dip_x / size, motion.dip_y / size, motion.dip_height / size
+        self.line("; paint")
+        if self._lifts:
+            self._travel(x=x, y=y)
+            self._move("G1", {"z": z}, f" F{self._feed}")
+            self._travel(z=self.safe)
+        else:
+            self._travel(**({"x": x, "y": y} if self._flat else {"x": x, "y": y, "z": z}))
+            self._switch(True)
+            self._switch(False)
 
     def follow(self, way: np.ndarray, moves: Moves | None) -> Iterator[str]:
         """Over the first point, down to it, along all others, and up again; with arcs where there
