@@ -243,3 +243,10 @@ def test_the_machine_is_left_as_it_was(machine: str, tool: str, extrusion: float
 def test_every_tool_and_machine_is_a_choice_of_the_command() -> None:
     assert export.DEFAULTS["tool"] == "pen" and export.DEFAULTS["machine"] == "generic"
     assert core.VERSION in "".join(gcode_pieces(flat_drawing(), Motion(), "a", core.VERSION))
+
+
+def test_an_empty_head_is_none(tmp_path) -> None:
+    (tmp_path / "head.gcode").write_text("")
+    assert export.lines_of(tmp_path / "head.gcode") == []
+    text = "".join(gcode_pieces(flat_drawing(), Motion(machine="grbl"), "a", "1", head=[]))
+    assert "G17" not in text and "G21" in text

@@ -204,6 +204,7 @@ MISTAKES = {
     "a folder as a seed": (SPACING + ITEM + 'seed = "meshes"\n', "is a folder"),
     "no TOML": ("[job", "no TOML"),
     "nothing to do": (SPACING, "nothing to do"),
+    "nothing at all": ("", "nothing to do"),
     "no table": ("items = 3\n", "[[items]]"),
     "an items table": ('[items]\ninput = "meshes/a.obj"\n', "[[items]]"),
     "outside": ('spacing = 1\n' + ITEM, "'spacing'"),

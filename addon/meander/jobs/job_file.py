@@ -93,7 +93,7 @@ def _tables(path: Path) -> dict[str, Any]:
             "command with another Python, or in Blender 4.1 or later"
         ) from missing
     try:
-        tables = tomllib.loads(read_plain(path).decode("utf-8"))
+        tables = tomllib.loads(read_plain(path, may_be_empty=True).decode("utf-8"))
     except FileError as problem:
         raise JobError(str(problem)) from problem
     except UnicodeDecodeError as problem:

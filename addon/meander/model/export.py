@@ -252,11 +252,11 @@ def lacks_plane(kind: Format, values: Values) -> bool:
 
 
 def lines_of(path: Path) -> list[str]:
-    """The lines of a file of G-code, with comments as any machine takes them.
+    """The lines of a file of G-code, with comments as any machine takes them; none of an empty one.
 
     Raises FileError for what is a command to a machine wherever it stands.
     """
-    text = read_plain(path).decode("utf-8-sig", "replace")
+    text = read_plain(path, may_be_empty=True).decode("utf-8-sig", "replace")
     return [own_line(line, f"{path}, line {n}") for n, line in enumerate(text.splitlines(), 1)]
 
 

@@ -44,13 +44,13 @@ def in_file(path: Path, refusal: core.MeanderError) -> FileError:
     return FileError(f"{path}, {said[:1].lower()}{said[1:].removesuffix('.')}")
 
 
-def read_plain(path: Path) -> bytes:
+def read_plain(path: Path, may_be_empty: bool = False) -> bytes:
     """What is in a file, its text as UTF-8 without a byte order mark where it has one.
 
     Raises FileError: it cannot be read, is empty, or is marked as text that it does not hold.
     """
     data = read_bytes(path)
-    if not data:
+    if not data and not may_be_empty:
         raise FileError(f"{path} is empty; export it again")
     if data.startswith(codecs.BOM_UTF8):
         return data[len(codecs.BOM_UTF8) :]
