@@ -24,6 +24,8 @@ from .job_file import JobError, JobFile, texts
 from .objects import Meshes
 
 _FRAMES = re.compile(r"\s*(-?\d{1,7})\s*(?:-\s*(-?\d{1,7})\s*(?::\s*(\d{1,7})\s*)?)?")
+# What may stand behind a placeholder's colon, such as 04: a name has a few hundred letters at most.
+_WIDTH = re.compile(r"[<>^]?\d{0,3}d?")
 # Items of one job; more are surely a mistake in the frames.
 _MOST_FRAMES = 100_000
 
@@ -279,8 +281,8 @@ def _filled(where: str, key: str, pattern: Any, values: Mapping[str, Any]) -> st
         raise JobError(f"{where}: {key} is a text in quotes, not {pattern!r}")
     try:
         # Only the names themselves: not what hangs on a value in Python, such as {stem.__class__}.
-        for _text, name, _format, _conversion in string.Formatter().parse(pattern):
-            if name is not None and name not in values:
+        for _text, name, width, _conversion in string.Formatter().parse(pattern):
+            if name is not None and (name not in values or not _WIDTH.fullmatch(width or "")):
                 raise KeyError(name)
         text = pattern.format(**values)
     except (KeyError, IndexError, ValueError, AttributeError) as problem:
