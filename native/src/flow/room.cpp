@@ -31,13 +31,14 @@ std::vector<uint8_t> with_open_strand(const Surface& surface, const Curve& curve
 Room leave_room(const Surface& surface, const Curve& curve, RadiusField& radius) {
   if (surface.boundary().empty()) return {};
   const std::vector<Strip> strips = strips_of(surface);
-  const auto narrow = [&](const Strip& strip) { return strip.width < 4 * radius.most(); };
+  const double largest = radius.most();
+  const auto narrow = [&](const Strip& strip) { return strip.width < 4 * largest; };
   if (std::ranges::none_of(strips, narrow)) return {};
   std::vector<uint8_t> alone = with_open_strand(surface, curve);
   if (std::ranges::count(alone, 1) > 0) {
     const std::vector<uint8_t> two_ends = with_two_ends(surface, strips);
     for (size_t k = 0; k < alone.size(); ++k) {
-      alone[k] &= two_ends[k] && strips[k].width < kAlongMiddle * radius.most();
+      alone[k] &= two_ends[k] && strips[k].width < kAlongMiddle * largest;
     }
   }
   VertexData<double> most(surface.vertex_count());

@@ -70,8 +70,9 @@ LineField completed(const Surface& surface, const LineField& field, const Radius
   const double angle = 2 * std::numbers::pi * share_of_variation(variation);
   if (variation != 0) smooth.turn({elementary::cos(angle), elementary::sin(angle)});
   const std::vector<Strip> strips = strips_of(surface);
-  const auto is_narrow = [&](uint32_t f) { return strips[surface.component(f)].width < kNarrow * radius.most(); };
-  if (std::ranges::min_element(strips, {}, &Strip::width)->width < kNarrow * radius.most()) {
+  const double narrow = kNarrow * radius.most();
+  const auto is_narrow = [&](uint32_t f) { return strips[surface.component(f)].width < narrow; };
+  if (std::ranges::min_element(strips, {}, &Strip::width)->width < narrow) {
     smooth.replace(field_along_boundary(surface, ask), is_narrow);
   }
   if (field.empty()) return smooth;
