@@ -12,7 +12,7 @@ import geometry
 import numpy as np
 import pytest
 from conftest import PACKAGE
-from meander import core
+from meander import batch, core
 from meander.cli import command
 from meander.cli.place import Place
 from meander.model import start
@@ -202,6 +202,14 @@ def test_gaps_fail_where_that_is_asked_for(tmp_path: Path, capsys) -> None:
     assert report["empty"]["largest"] > 0.075 and len(report["empty"]["where"]) == 3
     code, _said, report = run(tmp_path, mesh, "--spacing", "0.3", "--fail-on-gaps")
     assert code == 0 and report["empty"]["share"] < 0.001 and report["start"]["asked"] == "grow"
+
+
+def test_what_is_no_surface_has_no_spacing_to_speak_of(tmp_path: Path, capsys) -> None:
+    mesh = tmp_path / "line.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
+    assert batch.main(["--input", str(mesh), "--output", str(tmp_path / "o.obj")]) == 2
+    said = capsys.readouterr().err.splitlines()
+    assert len(said) == 1 and "No face of the mesh has an area" in said[0]
 
 
 def test_the_spacing_is_automatic(tmp_path: Path) -> None:

@@ -86,12 +86,13 @@ def _filled(
     given = read_input(arguments, place)
     maps.refuse_inputs(arguments, given, place)
     options = given.problem.options
-    if spacing.is_automatic(arguments) and not warned:
-        place.say(f"meander: {spacing.sentence(arguments.spacing)}")
     warnings = _warnings_of(given)
     for warning in () if warned else warnings:
         place.warn(warning)
     opened = _open(given, arguments, place)
+    # Of what is no surface there is no spacing to speak of.
+    if spacing.is_automatic(arguments) and not warned:
+        place.say(f"meander: {spacing.sentence(arguments.spacing)}")
     with opened.flow as grown_flow:
         reason, options = _run(opened, options, arguments, place)
         if opened.cost.nodes > LARGE:
