@@ -3,6 +3,10 @@
 # Native tests: every tests/native/test_*.cpp is a GoogleTest program of its own, linked with
 # meander_core, so that it may test the inside as well as the C API.
 #
+# With MEANDER_JOINED_TESTS most of them are one program, native_tests, and 24 files at a time are compiled as one: most
+# of the time goes to templates of the headers, which all of them use. A file's own program is then built when asked for.
+# The namespace of a test has the name of its file, so files share no names.
+#
 # For another system GoogleTest is built from its sources, and the tests are only built: tests/platforms
 # runs them by Wine and qemu.
 
@@ -30,21 +34,43 @@ target_compile_options(meander_test_support PUBLIC $<$<CONFIG:Release>:-O1>)
 target_precompile_headers(meander_test_support PRIVATE
   <gtest/gtest.h> <Eigen/Core> "${PROJECT_SOURCE_DIR}/tests/native/curves.h")
 
+# These put others in the place of operator new and malloc.
+set(failing_tests test_out_of_memory test_failing_calls)
+
+function(add_native_tests name)
+  add_executable(${name} ${ARGN} $<TARGET_OBJECTS:meander_test_support>)
+  target_link_libraries(${name} PRIVATE meander_test_support)
+  target_precompile_headers(${name} REUSE_FROM meander_test_support)
+endfunction()
+
+set(test_programs "")
+set(joined_sources "")
 foreach(test_source IN LISTS test_sources)
   get_filename_component(test_name "${test_source}" NAME_WE)
-  add_executable(${test_name} "${test_source}" $<TARGET_OBJECTS:meander_test_support>)
-  target_link_libraries(${test_name} PRIVATE meander_test_support)
-  target_precompile_headers(${test_name} REUSE_FROM meander_test_support)
-  if(NOT CMAKE_CROSSCOMPILING)
-    gtest_discover_tests(${test_name}
-      TEST_PREFIX "${test_name}."
-      DISCOVERY_TIMEOUT 60
-      PROPERTIES TIMEOUT 300)
+  add_native_tests(${test_name} "${test_source}")
+  if(MEANDER_JOINED_TESTS AND NOT test_name IN_LIST failing_tests)
+    set_target_properties(${test_name} PROPERTIES EXCLUDE_FROM_ALL ON)
+    list(APPEND joined_sources "${test_source}")
+  else()
+    list(APPEND test_programs ${test_name})
   endif()
 endforeach()
+if(joined_sources)
+  add_native_tests(native_tests ${joined_sources})
+  set_target_properties(native_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 24)
+  list(APPEND test_programs native_tests)
+endif()
+if(NOT CMAKE_CROSSCOMPILING)
+  foreach(test_program IN LISTS test_programs)
+    gtest_discover_tests(${test_program}
+      TEST_PREFIX "${test_program}."
+      DISCOVERY_TIMEOUT 60
+      PROPERTIES TIMEOUT 300)
+  endforeach()
+endif()
 # Eigen and nanoflann allocate by malloc: where the linker can put another one in its place, that fails as well.
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT CMAKE_CROSSCOMPILING)
-  foreach(test_name test_out_of_memory test_failing_calls)
+  foreach(test_name IN LISTS failing_tests)
     target_compile_definitions(${test_name} PRIVATE MEANDER_WRAPPED_MALLOC)
     target_link_options(${test_name} PRIVATE LINKER:--wrap=malloc,--wrap=calloc,--wrap=realloc)
   endforeach()

@@ -5,8 +5,8 @@
 #
 # Builds into build/ the given targets, or else everything: the library, the native tests, the
 # benchmark, and the add-on's zip build/meander-VERSION.zip. The packages of install_dependencies.sh
-# must be installed. Options of the build are remembered in build/: docs/building.md. Where MEANDER_UNITY is
-# set to ON or OFF, it is that option.
+# must be installed. Options of the build are remembered in build/: docs/building.md. Where MEANDER_UNITY or
+# MEANDER_JOINED_TESTS is set to ON or OFF, it is that option.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -16,7 +16,8 @@ targets=("$@")
 mkdir -p build
 # Debian's Python by its full path: another Python may come first on the PATH.
 if ! cmake -S . -B build -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
-  ${MEANDER_UNITY:+"-DMEANDER_UNITY=$MEANDER_UNITY"} >build/configure.log 2>&1
+  ${MEANDER_UNITY:+"-DMEANDER_UNITY=$MEANDER_UNITY"} \
+  ${MEANDER_JOINED_TESTS:+"-DMEANDER_JOINED_TESTS=$MEANDER_JOINED_TESTS"} >build/configure.log 2>&1
 then
   cat build/configure.log >&2
   exit 1

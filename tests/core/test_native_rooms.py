@@ -169,6 +169,46 @@ def test_files_of_a_room_can_be_compiled_as_one(tmp_path):
     ]
 
 
+def shared_names(tests: Path) -> list[str]:
+    """Native tests of which another's could meet a name when several are compiled as one."""
+    wrong = []
+    for file in sorted(tests.glob("test_*.cpp")):
+        name = f"meander::test::{file.stem.removeprefix('test_')}_tests"
+        text = file.read_text(encoding="utf-8")
+        before, begin, rest = text.partition(f"namespace {name} {{\nnamespace {{\n")
+        _, end, after = rest.partition(f"}}  // namespace\n}}  // namespace {name}\n")
+        if not begin or not end:
+            wrong.append(f"{file.name}: all in namespace {name} {{ namespace {{")
+        # By themselves: cmake/tests.cmake.
+        elif file.stem not in ("test_out_of_memory", "test_failing_calls"):
+            outside = [line for line in (before + after).splitlines() if line]
+            outside = [line for line in outside if not re.match(r"//|#\s*include\b", line)]
+            wrong += [f"{file.name}: {line}" for line in outside]
+            wrong += [f"{file.name}: {line}" for line in re.findall("#define.*", rest)]
+    return wrong
+
+
+def test_native_tests_can_be_compiled_as_one(tmp_path):
+    assert shared_names(SOURCES.parents[1] / "tests" / "native") == []
+    text = "#include <cmath>\n\nnamespace meander::test::NAME_tests {\nnamespace {\n"
+    text += "}  // namespace\n}  // namespace meander::test::NAME_tests\n"
+    flat = text.replace("NAME", "flat")
+    for name, contents in {
+        "flat": flat,
+        "near": flat,
+        "left": text.replace("NAME", "left") + "int left;\n",
+        "known": "using namespace meander;\n" + text.replace("NAME", "known"),
+        "short": text.replace("NAME", "short").replace("}  //", "#define SHORT\n}  //", 1),
+    }.items():
+        (tmp_path / f"test_{name}.cpp").write_text(contents)
+    assert shared_names(tmp_path) == [
+        "test_known.cpp: using namespace meander;",
+        "test_left.cpp: int left;",
+        "test_near.cpp: all in namespace meander::test::near_tests { namespace {",
+        "test_short.cpp: #define SHORT",
+    ]
+
+
 def test_lines_of_native_code_have_120_characters_at_most():
     folders = (SOURCES, SOURCES.parents[1] / "tests", SOURCES.parents[1] / "benchmarks")
     sources = [p for folder in folders for p in folder.rglob("*.*") if p.suffix in (".h", ".cpp")]

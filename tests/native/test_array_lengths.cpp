@@ -12,7 +12,7 @@
 #include "api_results.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::array_lengths_tests {
 namespace {
 
 /// A surface of one face more than its vertices need, and a flow's options for it.
@@ -203,4 +203,4 @@ TEST_F(ArrayLengths, AreUntouchedByACancelledCall) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::array_lengths_tests

@@ -7,7 +7,7 @@
 #include "medial/boundary_reach.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::boundary_reach_tests {
 namespace {
 
 struct Scene {
@@ -265,4 +265,4 @@ INSTANTIATE_TEST_SUITE_P(Reach, PushOfTheBoundary,
                          testing::Values(std::pair{0.0, 2.0}, std::pair{0.5, 1.5}, std::pair{1.0, 1.0}));
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::boundary_reach_tests

@@ -29,7 +29,7 @@
 #include "test_seeds.h"
 #include "under_sanitizer.h"
 
-namespace meander::test {
+namespace meander::test::cancel_tests {
 namespace {
 
 /// Of the asks of a call the first ones, and of the rest so many, get yes for an answer.
@@ -531,4 +531,4 @@ TEST(CancelThroughTheHeader, EndsCallsInTheirMiddle) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::cancel_tests

@@ -16,7 +16,7 @@
 #include "mesh/triangle_tree.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::closest_point_tests {
 namespace {
 
 using Long = Eigen::Matrix<long double, 3, 1>;
@@ -335,4 +335,4 @@ TEST(ClosestPoint, RefusesWhatIsNoPointOrNoMesh) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::closest_point_tests

@@ -9,7 +9,7 @@
 #include "flow/convergence.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::convergence_tests {
 namespace {
 
 constexpr uint32_t kHairpinRemoval = 7;
@@ -529,4 +529,4 @@ TEST(Convergence, OnAMovedSurfaceGrowsOnlyWhereItHasNotFilledIt) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::convergence_tests

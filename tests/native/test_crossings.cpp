@@ -9,7 +9,7 @@
 #include "curve/crossings.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::crossings_tests {
 namespace {
 
 using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
@@ -362,4 +362,4 @@ TEST(Crossings, SegmentsThroughTheSamePointOfAnEdgeTouch) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::crossings_tests

@@ -10,7 +10,7 @@
 #include "curve/curvature.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::curvature_tests {
 namespace {
 
 constexpr double kWidth = 1.5;
@@ -99,4 +99,4 @@ TEST(Curvature, GoesRoundASmallLoopNoMoreThanOnceEachWay) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::curvature_tests

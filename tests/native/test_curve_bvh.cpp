@@ -10,7 +10,7 @@
 #include "medial/near_points.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::curve_bvh_tests {
 namespace {
 
 using Sides = std::array<Vec3, 2>;
@@ -448,4 +448,4 @@ TEST(CurveBvh, InsideEqualsBruteForce) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::curve_bvh_tests

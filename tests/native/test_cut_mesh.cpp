@@ -13,7 +13,7 @@
 #include "outputs/middle_lines.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::cut_mesh_tests {
 namespace {
 
 /// Twice the area of a face, along its normal.
@@ -256,4 +256,4 @@ TEST(LineDistance, GoesAlongTheSurface) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::cut_mesh_tests

@@ -14,7 +14,7 @@
 #include "api_flows.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::deformation_tests {
 namespace {
 
 std::string set_vertices(const FlowHandle& flow, const std::vector<double>& vertices) {
@@ -395,4 +395,4 @@ TEST(Deformation, RefusesWithOneSentenceAndStaysAsItWas) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::deformation_tests

@@ -16,7 +16,7 @@
 #include "curves.h"
 #include "test_seeds.h"
 
-namespace meander::test {
+namespace meander::test::density_start_tests {
 namespace {
 
 /// r at every vertex of a surface, as a function of its place there, in its unit.
@@ -161,4 +161,4 @@ TEST(DensityStart, CrossesNothingBesideDrawnStrandsAndGuides) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::density_start_tests

@@ -13,6 +13,7 @@
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
+namespace meander::test::eigen_tests {
 namespace {
 
 using Complex = std::complex<double>;
@@ -152,3 +153,4 @@ TEST(Eigen, SolvesAsOnTheMachineOnWhichItWasWritten) {
 }
 
 }  // namespace
+}  // namespace meander::test::eigen_tests

@@ -12,9 +12,8 @@
 
 #include <gtest/gtest.h>
 
+namespace meander::test::elementary_tests {
 namespace {
-
-using namespace meander;
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -187,3 +186,4 @@ TEST(ElementaryBytes, AreTheSameOnEveryPlatform) {
 }
 
 }  // namespace
+}  // namespace meander::test::elementary_tests

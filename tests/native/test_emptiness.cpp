@@ -9,7 +9,7 @@
 #include "outputs/emptiness.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::emptiness_tests {
 namespace {
 
 constexpr double kRadius = 0.02;
@@ -88,4 +88,4 @@ TEST(Emptiness, NearbyIsThatOfSinglePointsUnderADensity) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::emptiness_tests

@@ -6,7 +6,7 @@
 
 #include "strand_model.h"
 
-namespace meander::test {
+namespace meander::test::energy_tests {
 namespace {
 
 constexpr double kRounding = 1e-11;  // relative, of sums of some hundred terms
@@ -265,4 +265,4 @@ TEST(Energy, FixedNodesAreLeftOutOfTheSystem) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::energy_tests

@@ -10,7 +10,7 @@
 
 #include "api_flows.h"
 
-namespace meander::test {
+namespace meander::test::even_spacing_tests {
 namespace {
 
 /// A node's own strand counts from this far along it, in r: nearer to it the curve touches any ball.
@@ -129,4 +129,4 @@ TEST(EvenSpacing, MakesTheCurveAsLongAsTheSurfaceIsWideForIt) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::even_spacing_tests

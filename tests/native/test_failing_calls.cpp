@@ -31,7 +31,7 @@ extern "C" const char* __lsan_default_suppressions();  // NOLINT(bugprone-reserv
 extern "C" const char* __lsan_default_suppressions() { return "leak:Eigen::SparseMatrix\n"; }
 #endif
 
-namespace meander::test {
+namespace meander::test::failing_calls_tests {
 namespace {
 
 /// The first allocations all fail once; of the rest so many, at equal distances.
@@ -705,4 +705,4 @@ TEST(FailingRefusals, SayOneOrTheOther) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::failing_calls_tests

@@ -11,7 +11,7 @@
 #include "mesh/line_field.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::fields_tests {
 namespace {
 
 constexpr uint32_t kAround = 60, kAcross = 30;
@@ -287,4 +287,4 @@ TEST(RelaxedField, IsParallelToTheXAxisOnAFlatSheet) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::fields_tests

@@ -18,7 +18,7 @@
 #include "outputs/statistics.h"
 #include "test_seeds.h"
 
-namespace meander::test {
+namespace meander::test::filled_tests {
 namespace {
 
 constexpr double kSpacing = 0.1;
@@ -329,4 +329,4 @@ TEST(Filled, TheRestIsLaidAndSaidSo) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::filled_tests

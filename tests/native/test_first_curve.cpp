@@ -13,7 +13,7 @@
 #include "seed/regions.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::first_curve_tests {
 namespace {
 
 /// Copies of a mesh in rows, `distance` apart.
@@ -106,4 +106,4 @@ TEST(FirstCurve, OfComponentsFarSmallerThanTheSpacingIsFoundAtOnce) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::first_curve_tests

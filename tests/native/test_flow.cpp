@@ -14,7 +14,7 @@
 #include "outputs/statistics.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::flow_tests {
 namespace {
 
 /// What the C API makes of a preset's options; `spacing` is in the mesh's own units.
@@ -428,4 +428,4 @@ INSTANTIATE_TEST_SUITE_P(Presets, EveryIteration,
                                          uint32_t{MEANDER_PRESET_PAPER}));
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::flow_tests

@@ -10,7 +10,7 @@
 #include "medial/frames.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::frames_tests {
 namespace {
 
 constexpr double kRadius = 0.05;
@@ -154,4 +154,4 @@ TEST(CachedDirections, AreNotKeptAtTheBoundary) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::frames_tests

@@ -14,7 +14,7 @@
 #include "outputs/gaps.h"
 #include "test_seeds.h"
 
-namespace meander::test {
+namespace meander::test::free_ends_tests {
 namespace {
 
 /// How far an end is from everything but the last 4 r of its own strand, in r.
@@ -175,4 +175,4 @@ TEST(Ends, TheTermAloneMovesAnEndByWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::free_ends_tests

@@ -9,7 +9,7 @@
 #include "base/front_search.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::front_search_tests {
 namespace {
 
 struct Arc {
@@ -120,4 +120,4 @@ TEST(FrontSearch, PassesEqualCostsInTheOrderOfNumbersAndNothingTwice) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::front_search_tests

@@ -19,7 +19,7 @@
 #include "test_seeds.h"
 #include "thin_surfaces.h"
 
-namespace meander::test {
+namespace meander::test::full_start_tests {
 namespace {
 
 struct Shape {
@@ -391,4 +391,4 @@ TEST(FullStart, LeavesADrawnStrandOnBothSides) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::full_start_tests

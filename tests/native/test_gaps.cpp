@@ -12,7 +12,7 @@
 #include "api_results.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::gaps_tests {
 namespace {
 
 /// The climb to a maximum ends at steps of 0.005 r. Where the best start is at the foot of a long flat
@@ -358,4 +358,4 @@ TEST(Gaps, BadArgumentsAreRefused) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::gaps_tests

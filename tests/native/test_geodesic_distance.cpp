@@ -7,7 +7,7 @@
 #include "curves.h"
 #include "unrolled_surfaces.h"
 
-namespace meander::test {
+namespace meander::test::geodesic_distance_tests {
 namespace {
 
 FlatPoint in_plane(const Surface& s, const SurfacePoint& p) { return {p.face, flat(s, p)}; }
@@ -114,4 +114,4 @@ TEST(GeodesicDistance, ManyTargetsAreAsOne) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::geodesic_distance_tests

@@ -9,7 +9,7 @@
 #include "curves.h"
 #include "thin_surfaces.h"
 
-namespace meander::test {
+namespace meander::test::geodesic_medial_axis_tests {
 namespace {
 
 struct Balls {
@@ -328,4 +328,4 @@ INSTANTIATE_TEST_SUITE_P(GeodesicMedialAxis, OnAFilledSurface, testing::ValuesIn
                          [](const auto& param) { return std::string(param.param.name); });
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::geodesic_medial_axis_tests

@@ -9,7 +9,7 @@
 #include "geodesic/geodesic_path.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::geodesic_path_tests {
 namespace {
 
 /// A crossing keeps kClearance from the ends of its edge, so a path around a vertex is longer than
@@ -530,4 +530,4 @@ TEST(Measure, TurnsRoundAConeAddUpToItsAngle) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::geodesic_path_tests

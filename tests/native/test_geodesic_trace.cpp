@@ -5,7 +5,7 @@
 
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::geodesic_trace_tests {
 namespace {
 
 /// Vertices are rounded to 2^-30 of the mesh, so a flat mesh is flat to within a few times that.
@@ -247,4 +247,4 @@ TEST(Trace, EndsOnTheBoundaryOfACoarseSquare) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::geodesic_trace_tests

@@ -14,7 +14,7 @@
 #include "seed/regions.h"
 #include "test_seeds.h"
 
-namespace meander::test {
+namespace meander::test::guides_tests {
 namespace {
 
 /// Every node and crossing of all guides, to the last bit.
@@ -198,4 +198,4 @@ TEST(Guides, ARegionWithAStrandOfItsOwnGetsNoLoop) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::guides_tests

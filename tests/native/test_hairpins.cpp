@@ -10,7 +10,7 @@
 #include "curve/hairpins.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::hairpins_tests {
 namespace {
 
 constexpr double kRadius = 0.01;  // r; the face below is about 0.7 wide
@@ -161,4 +161,4 @@ TEST(Hairpins, TheShortestRunIsMarkedWithItsTurns) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::hairpins_tests

@@ -15,7 +15,7 @@
 #include "flow/iteration.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::invariant_tests {
 namespace {
 
 const auto kNeverCancelled = [] { return false; };
@@ -174,4 +174,4 @@ TEST(Invariant, EveryPathHasItsTurn) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::invariant_tests

@@ -17,7 +17,7 @@
 #include "api_results.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::job_tests {
 namespace {
 
 /// On a unit sphere a run of seconds, so that it is still going when it is inspected; a run that has to end
@@ -342,4 +342,4 @@ TEST(Job, TellsAnyThreadWhetherItRuns) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::job_tests

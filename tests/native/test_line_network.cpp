@@ -10,7 +10,7 @@
 #include "seed/line_network.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::line_network_tests {
 namespace {
 
 TEST(LineNetwork, FindsWhatIsNearWhereSpacingsDiffer) {
@@ -54,4 +54,4 @@ TEST(LineNetwork, FindsWhatIsNearWhereSpacingsDiffer) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::line_network_tests

@@ -7,7 +7,7 @@
 #include "medial/medial_axis.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::medial_axis_tests {
 namespace {
 
 /// The library calls a ball empty when no point is closer to its centre than (1 - 1e-9) radii. By
@@ -235,4 +235,4 @@ TEST(Boundary, SamplesAreAlongEveryEdge) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::medial_axis_tests

@@ -14,7 +14,7 @@
 #include "mesh/mesh_check.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::mesh_check_tests {
 namespace {
 
 /// Tries to make a surface and returns the failure; a test failure if there is none.
@@ -520,4 +520,4 @@ TEST(GoodMesh, AnglesAroundAVertexAddUp) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::mesh_check_tests

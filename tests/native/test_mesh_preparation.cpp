@@ -10,7 +10,7 @@
 #include "mesh/mesh_check.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::mesh_preparation_tests {
 namespace {
 
 /// Every corner of a prepared face lies where its weights put it on the caller's face.
@@ -204,4 +204,4 @@ TEST(Prepare, ARepairIsCancelledAtEveryAsk) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::mesh_preparation_tests

@@ -14,7 +14,7 @@
 #include "outputs/job.h"
 #include "test_seeds.h"
 
-namespace meander::test {
+namespace meander::test::out_of_memory_tests {
 namespace {
 
 enum class Outcome {
@@ -284,4 +284,4 @@ TEST(OutOfMemory, ARunThatCannotStartIsNotRunning) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::out_of_memory_tests

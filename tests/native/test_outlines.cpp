@@ -13,7 +13,7 @@
 #include "seed/outline.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::outlines_tests {
 namespace {
 
 /// Two faces.
@@ -256,4 +256,4 @@ TEST(Outlines, StopSoonWhenTheyAreCancelled) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::outlines_tests

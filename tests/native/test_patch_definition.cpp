@@ -11,7 +11,7 @@
 
 #include "patched_surfaces.h"
 
-namespace meander::test {
+namespace meander::test::patch_definition_tests {
 namespace {
 
 /// What a patch is, added up from its faces. Lengths in the surface's own unit.
@@ -373,4 +373,4 @@ TEST(PatchDefinition, HoldsForSmallThingsBesideASheet) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::patch_definition_tests

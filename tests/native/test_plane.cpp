@@ -9,7 +9,7 @@
 #include "mesh/surface_point.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::plane_tests {
 namespace {
 
 int64_t units(double x) { return std::llround(std::ldexp(x, 50)); }
@@ -185,4 +185,4 @@ TEST(ClippedTriangle, IsAllInsideAndNothingOutside) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::plane_tests

@@ -10,7 +10,7 @@
 #include "api_results.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::point_data_tests {
 namespace {
 
 struct Grown {
@@ -165,4 +165,4 @@ TEST(PointData, OpenStrandsEndWhereTheyEnd) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::point_data_tests

@@ -10,7 +10,7 @@
 #include "base/point_grid.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::point_grid_tests {
 namespace {
 
 using Found = std::vector<std::pair<uint32_t, double>>;
@@ -67,4 +67,4 @@ TEST(PointGrid, OfNoPointsFindsNothing) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::point_grid_tests

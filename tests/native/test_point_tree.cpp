@@ -8,7 +8,7 @@
 #include "base/point_tree.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::point_tree_tests {
 namespace {
 
 Vec3 random_place(Rng& rng) { return {rng(), rng(), 0.2 * rng()}; }
@@ -51,4 +51,4 @@ TEST(PointTree, OfNoPointsFindsNothing) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::point_tree_tests

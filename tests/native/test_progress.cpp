@@ -12,7 +12,7 @@
 #include "flow/progress.h"
 #include "test_seeds.h"
 
-namespace meander::test {
+namespace meander::test::progress_tests {
 namespace {
 
 FlowSettings with_polish() {
@@ -151,4 +151,4 @@ TEST(Progress, OfStepsIsToldToTheirContext) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::progress_tests

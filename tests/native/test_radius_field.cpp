@@ -8,7 +8,7 @@
 #include "curve/local_metric.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::radius_field_tests {
 namespace {
 
 constexpr double kRounding = 1e-12;  // relative, of a few products
@@ -72,4 +72,4 @@ TEST(LocalMetric, FollowsFromTheRadius) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::radius_field_tests

@@ -11,7 +11,7 @@
 #include "curve/refinement.h"
 #include "random_curves.h"
 
-namespace meander::test {
+namespace meander::test::refinement_tests {
 namespace {
 
 /// Cuts are rounded into the face (clearance and grain), and each changes the length by up to this.
@@ -458,4 +458,4 @@ TEST(Refine, OneChangeIsMadeBesideAnyBlock) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::refinement_tests

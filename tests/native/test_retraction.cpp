@@ -8,7 +8,7 @@
 #include "curve/retraction.h"
 #include "random_curves.h"
 
-namespace meander::test {
+namespace meander::test::retraction_tests {
 namespace {
 
 constexpr double kRounding = 1e-9;  // relative, of lengths that are walked face by face
@@ -272,4 +272,4 @@ TEST(Move, IsTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::retraction_tests

@@ -13,7 +13,7 @@
 #include "outputs/statistics.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::revision_tests {
 namespace {
 
 void run(const FlowHandle& flow) { ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK); }
@@ -248,4 +248,4 @@ TEST(Revision, GivesTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::revision_tests

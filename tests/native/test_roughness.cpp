@@ -18,7 +18,7 @@
 #include "outputs/polylines.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::roughness_tests {
 namespace {
 
 /// A sheet of n x n cells with hills of both signs, about as wide as a tenth of it and as high as `height`.
@@ -326,4 +326,4 @@ TEST(RoughFlow, FollowsTheSpacingAndTheSurfaceWithoutCrossings) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::roughness_tests

@@ -13,7 +13,7 @@
 #include "meshes.h"
 #include "outputs/rounding.h"
 
-namespace meander::test {
+namespace meander::test::rounding_tests {
 namespace {
 
 constexpr double kSpacing = 0.35;
@@ -196,4 +196,4 @@ TEST_F(Rounding, RefusesAndIsCancelled) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::rounding_tests

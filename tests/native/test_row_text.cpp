@@ -14,7 +14,7 @@
 #include "base/failure.h"
 #include "outputs/row_text.h"
 
-namespace meander {
+namespace meander::test::row_text_tests {
 namespace {
 
 std::string written(double value, NumberForm form) {
@@ -115,4 +115,4 @@ TEST(RowText, RefusesPatternsThatSayNothing) {
 }
 
 }  // namespace
-}  // namespace meander
+}  // namespace meander::test::row_text_tests

@@ -17,7 +17,7 @@
 #include "mesh/mesh_preparation.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::sheets_tests {
 namespace {
 
 PrepareSettings all_repairs(double weld_distance = 0) {
@@ -315,4 +315,4 @@ TEST(Faults, AllOfEveryKindAreFound) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::sheets_tests

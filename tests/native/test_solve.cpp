@@ -5,7 +5,7 @@
 
 #include "strand_model.h"
 
-namespace meander::test {
+namespace meander::test::solve_tests {
 namespace {
 
 /// Both sides round in units of 2^-53, magnified by the condition of the system: the stiffest term
@@ -257,4 +257,4 @@ TEST(Step, GoesDownhillWhereNoWeightIsNegative) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::solve_tests

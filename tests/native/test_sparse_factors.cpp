@@ -13,7 +13,7 @@
 
 #include "mesh/sparse_factors.h"
 
-namespace meander::test {
+namespace meander::test::sparse_factors_tests {
 namespace {
 
 template <class Number>
@@ -110,4 +110,4 @@ TYPED_TEST(SparseFactorsOf, AskAllTheWhile) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::sparse_factors_tests

@@ -8,7 +8,7 @@
 
 #include "test_seeds.h"
 
-namespace meander::test {
+namespace meander::test::stall_tests {
 namespace {
 
 const auto kNobodyLooks = [](double) {};
@@ -67,4 +67,4 @@ TEST(Stall, IsNotWhereTheCurveIsAtRest) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::stall_tests

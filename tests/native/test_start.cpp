@@ -10,7 +10,7 @@
 #include "outputs/polylines.h"
 #include "test_seeds.h"
 
-namespace meander::test {
+namespace meander::test::start_tests {
 namespace {
 
 /// A curve as a seed.
@@ -134,4 +134,4 @@ TEST(Start, FiguresSayHowItBegan) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::start_tests

@@ -10,7 +10,7 @@
 #include "flow/step.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::step_tests {
 namespace {
 
 constexpr double kRadius = 0.01;     // r; the face below is about 0.7 wide
@@ -87,4 +87,4 @@ TEST(Step, KeepsItsDistanceFromTheBoundary) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::step_tests

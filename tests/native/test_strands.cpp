@@ -12,7 +12,7 @@
 #include "base/failure.h"
 #include "test_seeds.h"
 
-namespace meander::test {
+namespace meander::test::strands_tests {
 namespace {
 
 /// Windings of a closed strand about the z axis, and about the core circle of a torus of radius 1.
@@ -200,4 +200,4 @@ TEST(Strands, KeepEverythingInRandomCompany) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::strands_tests

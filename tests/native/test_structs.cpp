@@ -16,7 +16,7 @@
 #include "api_structs.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::structs_tests {
 namespace {
 
 struct Grown {
@@ -155,4 +155,4 @@ TEST(Structs, RecordsOfTheHistoryStandAsFarApartAsTheCallerSays) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::structs_tests

@@ -14,7 +14,7 @@
 #include "flow/domain.h"
 #include "patched_surfaces.h"
 
-namespace meander::test {
+namespace meander::test::surface_patches_tests {
 namespace {
 
 /// Some points of a patch stand for it.
@@ -540,4 +540,4 @@ TEST(SurfacePatches, AreCutAnewWhereWhatTheyDependOnChanges) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::surface_patches_tests

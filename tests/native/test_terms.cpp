@@ -13,7 +13,7 @@
 #include "base/failure.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::terms_tests {
 namespace {
 
 constexpr int kDraws = 120;
@@ -166,4 +166,4 @@ TEST(Terms, OfAnyCombinationKeepTheCurveWhole) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::terms_tests

@@ -12,7 +12,7 @@
 
 #include "base/thread_pool.h"
 
-namespace meander::test {
+namespace meander::test::thread_pool_tests {
 namespace {
 
 class ThreadPoolOf : public testing::TestWithParam<unsigned> {};
@@ -163,4 +163,4 @@ TEST(ThreadPool, CountsTheCaller) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::thread_pool_tests

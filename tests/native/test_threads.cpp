@@ -13,7 +13,7 @@
 #include "api_results.h"
 #include "meshes.h"
 
-namespace meander::test {
+namespace meander::test::threads_tests {
 namespace {
 
 /// More than the machine needs to have: they are taken off it now and then.
@@ -205,4 +205,4 @@ TEST(Threads, MayLookAtARunUntilItsFlowGoes) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::threads_tests

@@ -16,7 +16,7 @@
 #include "seed/regions.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::variation_tests {
 namespace {
 
 std::vector<double> bytes_after(const std::shared_ptr<const Surface>& surface, meander_start start,
@@ -103,4 +103,4 @@ TEST(Variation, HasSharesFarFromThoseBefore) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::variation_tests

@@ -13,7 +13,7 @@
 #include "model/weights.h"
 #include "curves.h"
 
-namespace meander::test {
+namespace meander::test::weighting_tests {
 namespace {
 
 constexpr double kRadius = 0.01;    // r; the face below is about 0.7 wide
@@ -418,4 +418,4 @@ TEST(Weighting, HairpinsBesideTheBoundaryMayBeBlunt) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::weighting_tests

@@ -6,7 +6,7 @@
 #include "geodesic/windows.h"
 #include "thin_surfaces.h"
 
-namespace meander::test {
+namespace meander::test::windows_tests {
 namespace {
 
 struct Scattered {
@@ -105,4 +105,4 @@ TEST(Windows, SeeNoOtherSheetAndGiveUpOnFineFaces) {
 }
 
 }  // namespace
-}  // namespace meander::test
+}  // namespace meander::test::windows_tests
