@@ -18,8 +18,41 @@ sys.path.insert(0, os.environ.get("MEANDER_ADDON_PARENT", str(ROOT / "addon")))
 sys.path.insert(0, str(Path(__file__).parent))
 sys.path.append(str(ROOT / "tests"))
 
+import calls  # noqa: E402
 import meander  # noqa: E402
 from processor_time import pytest_runtest_protocol  # noqa: E402, F401
+
+# MEANDER_NOTE_CALLS names a file for the functions that each test calls; where MEANDER_ENOUGH_OF
+# names such a file, no more of the tests in it run than call every function.
+NOTES = os.environ.get("MEANDER_NOTE_CALLS")
+NOTED = os.environ.get("MEANDER_ENOUGH_OF")
+noted: dict[str, list[str]] = {}
+
+
+@pytest.hookimpl(hookwrapper=True)
+def pytest_runtest_call(item: pytest.Item) -> Iterator[None]:
+    if not NOTES:
+        yield
+        return
+    with calls.called() as seen:
+        outcome = yield
+    if outcome.excinfo is None:
+        noted[item.nodeid] = calls.of_blender(seen, Path(meander.__file__).parent, item.nodeid)
+
+
+def pytest_sessionfinish() -> None:
+    if NOTES:
+        calls.write(Path(NOTES), noted)
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if not NOTED:
+        return
+    known = calls.read(Path(NOTED))
+    here = {item.nodeid for item in items}
+    spared = known.keys() - calls.enough({test: known[test] for test in known if test in here})
+    config.hook.pytest_deselected(items=[item for item in items if item.nodeid in spared])
+    items[:] = [item for item in items if item.nodeid not in spared]
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:
