@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the commands of the *.md files of the root and of docs, so that they stay correct.
 
+    run_documents.py [--all]
+
 In each document the fenced blocks marked `sh` are run from the project's root, one after the
 other. A comment on the line before a block says otherwise:
 
     <!-- not run here: REASON -->     the block is left out
+    <!-- run every night: REASON -->  the block is left out unless --all is given
     <!-- file: PATH -->               the block, of any language, is written to PATH instead
 
 The last line is a count such as "5 passed, 0 failed".
@@ -22,7 +25,7 @@ sys.path.append(str(ROOT / "tests"))
 from processor_time import note, spent  # noqa: E402
 
 FENCE = re.compile(
-    r"(?:<!-- (?P<remark>not run here|file): (?P<value>.+?) -->\n)?"
+    r"(?:<!-- (?P<remark>not run here|run every night|file): (?P<value>.+?) -->\n)?"
     r"^```(?P<language>\w*)\n(?P<body>.*?)^```$",
     re.MULTILINE | re.DOTALL,
 )
@@ -58,6 +61,7 @@ def run(block: Block) -> bool:
 
 
 def main() -> int:
+    run_remarks = {None, "run every night"} if "--all" in sys.argv[1:] else {None}
     passed = failed = 0
     for document in [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").rglob("*.md"))]:
         for block in blocks_of(document):
@@ -65,7 +69,7 @@ def main() -> int:
                 path = ROOT / block.value
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(block.body, encoding="utf-8")
-            elif block.language == "sh" and block.remark is None:
+            elif block.language == "sh" and block.remark in run_remarks:
                 if run(block):
                     passed += 1
                 else:

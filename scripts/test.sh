@@ -5,14 +5,17 @@
 #
 # Installs what is missing, builds, and runs the tests: native, Python without Blender, inside Debian's Blender,
 # inside Blender 4.5 as a Python module, the installed zip in both, jobs of many surfaces, hard surfaces, UI tests in a
-# window, the commands of the documents, the linter, and the rule which module may import which. Every suite runs, even
-# if others fail. Logs stay in build/logs; the last line counts the tests, and the exit code is 0 only when nothing
-# failed.
+# window, the commands of the documents, the demo, the linter, and the rule which module may import which. Every suite
+# runs, even if others fail. Logs stay in build/logs; the last line counts the tests, and the exit code is 0 only when
+# nothing failed.
 #
 # With --all, every night or by hand, also what is compiled anew for it, which takes longer than all else: the native
 # tests and a minute of fuzzing the C API under sanitizers, what runs in threads under ThreadSanitizer, whether curves
 # have the same bytes however the library is compiled, the library and the page for browsers, what pip builds from the
 # sources, the library of a release for Windows, and a program in C#.
+#
+# Two suites at a time share the processors, the longest first, and what compiles the native tests is one of them. Without
+# --all Blender 3.4 runs as many of the tests for Blender as call every function of the add-on (tests/blender/calls.py).
 #
 # The summary names the slowest test of each suite with its processor seconds; all are in
 # build/logs/SUITE.times. Where MEANDER_TEST_LIMIT is set, a test that takes more processor seconds
@@ -40,12 +43,14 @@ bash scripts/install_dependencies.sh --build
 } >"$logs/install.log" 2>&1 &
 installing=$!
 trap 'wait $installing' EXIT # a package manager is not left behind halfway
-# Where nothing is built yet, each folder of the sources is compiled as one file: the same bytes, sooner. A build that
-# is there stays as it is.
-[ -f build/CMakeCache.txt ] || export MEANDER_UNITY=ON
+# Where nothing is built yet, each folder of the sources is compiled as one file, and native tests several at a time: the
+# same bytes, sooner. A build that is there stays as it is.
+[ -f build/CMakeCache.txt ] || export MEANDER_UNITY=ON MEANDER_JOINED_TESTS=ON
 # Without these two there is nothing to test; everything else is built below, as a test of its own.
 bash scripts/build.sh stage addon
 zip=$(ls -t build/meander-*.zip | head -n 1)
+# Suites write no bytecode, so without this each of the hundreds of programs that they start would compile the add-on.
+/usr/bin/python3 -m compileall -q addon/meander python/meander
 
 # None of the user's Blender settings may be read or changed: every suite gets an empty home
 # and an empty profile, 3.4 by three variables, 4.2 and later by BLENDER_USER_RESOURCES.
@@ -139,14 +144,25 @@ window() {
     --python-exit-code 1 --python tests/ui/tell.py -- "$@"
 }
 
-check build 1800 bash scripts/build.sh
-suite native 600 ctest --test-dir build --output-on-failure --no-tests=error -j 2
-
+beside() { # COMMAND...: begins it as soon as fewer than two others run
+  while [ "$(jobs -rp | wc -l)" -ge 2 ]; do wait -n || true; done
+  "$@" &
+}
+# The programs of the native tests, with one of the two processors; the native tests themselves, and what else runs a
+# program that is built here, begin when it is done.
+beside check build 1800 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/build.sh
+building=$!
 if ! wait $installing; then
   cat "$logs/install.log"
   exit 1
 fi
 trap - EXIT
+
+profile blender-4.5
+beside suite blender-4.5 900 "${in_profile[@]}" MEANDER_NOTE_CALLS="$root/$logs/calls.json" \
+  "$bpy_python" tests/blender/run.py
+in_new_blender=$!
+wait $building || true
 
 if $all; then
   # What compiles much, but often waits for the linker or for one test: Wine's, or the slowest sanitized
@@ -156,11 +172,6 @@ if $all; then
   wait $!
 fi
 
-# The rest runs in one process at a time, so two suites share the processors, the longest first.
-beside() { # COMMAND...: begins it as soon as fewer than two others run
-  while [ "$(jobs -rp | wc -l)" -ge 2 ]; do wait -n || true; done
-  "$@" &
-}
 # What is written for machines, by readers from the Python index that /usr/bin/python3 does not have.
 for_machines=(tests/core/test_arcs.py tests/core/test_gcode_tools.py tests/core/test_parts_by_length.py
   tests/core/test_what_machines_take.py tests/core/test_scene_files.py
@@ -173,19 +184,24 @@ if $all; then
   beside suite bytes 2400 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_same_bytes.sh
   beside suite web 2400 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_web.sh
 fi
-profile blender-3.4
-beside suite blender-3.4 900 "${in_profile[@]}" \
-  blender -b --factory-startup --python-exit-code 1 --python tests/blender/run.py
-profile blender-4.5
-beside suite blender-4.5 900 "${in_profile[@]}" "$bpy_python" tests/blender/run.py
 profile core
 beside suite core 900 "${in_profile[@]}" \
   /usr/bin/python3 -m pytest -q -p no:cacheprovider "${for_machines[@]/#/--ignore=}" tests/core
+beside suite native 1200 ctest --test-dir build --output-on-failure --no-tests=error
 beside window ui 100 run undo live look make mirror variations
 beside window ui-more 200 nothing_lost calm_panel seeds first_try export camera
+profile documents
+beside suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py $($all && echo --all)
+wait $in_new_blender || true # what it has noted is read by the next
+profile blender-3.4
+enough=()
+$all || enough=(MEANDER_ENOUGH_OF="$root/$logs/calls.json")
+beside suite blender-3.4 900 "${in_profile[@]}" "${enough[@]}" \
+  blender -b --factory-startup --python-exit-code 1 --python tests/blender/run.py
 # This suite makes its own profiles.
 beside suite package 600 env MEANDER_ZIP="$root/$zip" MEANDER_BPY_PYTHON="$root/$bpy_python" \
   /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/package
+beside check demo 600 bash scripts/demo.sh
 profile jobs
 beside suite jobs 300 "${in_profile[@]}" /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/jobs
 profile sweep
@@ -196,8 +212,6 @@ beside suite readers 300 "${in_profile[@]}" "$bpy_python" -m pytest -q -p no:cac
 beside check site 120 bash scripts/build_site.sh
 beside check lint 60 "$(dirname "$bpy_python")/ruff" check --no-cache .
 beside check rooms 60 env PYTHONPATH=addon "$(dirname "$bpy_python")/lint-imports" --no-cache
-profile documents
-beside suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py
 wait
 
 printf '\n'
