@@ -2,146 +2,39 @@
 """Fills long and narrow surfaces, and says how much of each stays empty.
 
     python3 tests/sweep/long_surfaces.py [--only strip] [--lengths 10,100] [--widths 0.8,4]
+                                         [--rows FILE] [--seconds N]
+    python3 tests/sweep/long_surfaces.py --summary FILE
 
-A line for every shape, length and width in spacings, with few faces and with many, from nothing and
-from a stroke at one end. Times are of a processor; `times` is over that of a square of as many
-faces and the same area from nothing.
+A line for every shape, length and width in spacings, with few faces and with many, from nothing,
+from a stroke at one end, and full. `work` is the nodes of all iterations over those of a square of
+as many faces and the same area from nothing. With --rows every run is added to a file as JSON, and
+those that are there already are left out. --summary prints a JSON object for every width of such a
+file, which scripts/result_tables.py keeps for docs/reliability.md.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
+import os
+import resource
+import statistics
 import sys
 import time
-from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cache
+from collections import defaultdict
 from pathlib import Path
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path += [str(ROOT / "tests" / "core"), str(ROOT / "addon")]
 
 from geometry import Mesh  # noqa: E402
+from long_shapes import SHAPES, area_of, square  # noqa: E402
 from meander import core  # noqa: E402
 
-Points = NDArray[np.float64]
-
-
-def band(left: Points, right: Points, closed: bool = False) -> Mesh:
-    """The quads between two rows of points (n, 3), each as two faces."""
-    n = len(left)
-    a = np.arange(n if closed else n - 1)
-    b = (a + 1) % n
-    faces = np.vstack([np.stack([a, b, b + n], 1), np.stack([a, b + n, a + n], 1)])
-    return Mesh(np.vstack([left, right]), faces.astype(np.uint32))
-
-
-def grid(rows: NDArray[np.float64], closed: bool) -> Mesh:
-    """The surface over rows of points (m, n, 3); `closed`: each row is."""
-    m, n = rows.shape[:2]
-    i, j = np.meshgrid(np.arange(m - 1), np.arange(n if closed else n - 1), indexing="ij")
-    a, b = i * n + j, i * n + (j + 1) % n
-    quads = np.stack([a, b, b + n, a + n], -1).reshape(-1, 4)
-    faces = np.vstack([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
-    return Mesh(rows.reshape(-1, 3), faces.astype(np.uint32))
-
-
-def along(length: float, pieces: int) -> Points:
-    points = np.zeros((pieces + 1, 3))
-    points[:, 0] = np.linspace(0, length, pieces + 1)
-    return points
-
-
-def strip(length: float, width: float, pieces: int) -> Mesh:
-    middle = along(length, pieces)
-    return band(middle - [0, width / 2, 0], middle + [0, width / 2, 0])
-
-
-def needle(length: float, width: float, pieces: int) -> Mesh:
-    """A flat one: at the far end it has no width."""
-    middle = along(length, pieces)
-    half = width / 2 * (1 - np.linspace(0, 1, pieces + 1) * (1 - 1e-3))
-    side = np.stack([0 * half, half, 0 * half], 1)
-    return band(middle - side, middle + side)
-
-
-def tube(length: float, width: float, pieces: int, sides: int) -> Mesh:
-    """`width` is across."""
-    angles = 2 * np.pi * np.arange(sides) / sides
-    rows = along(length, pieces)[:, None, :] + np.zeros((1, sides, 1))
-    rows[:, :, 1] = width / 2 * np.cos(angles)
-    rows[:, :, 2] = width / 2 * np.sin(angles)
-    return grid(rows, closed=True)
-
-
-def pipe(length: float, width: float, pieces: int) -> Mesh:
-    return tube(length, width, pieces, 8)
-
-
-def square_pipe(length: float, width: float, pieces: int) -> Mesh:
-    return tube(length, width, pieces, 4)
-
-
-def spiral(length: float, width: float, pieces: int) -> Mesh:
-    """A ribbon that winds round itself, flat, with room between its turns."""
-    pitch = 2 * width
-    turns = np.sqrt(length / (np.pi * pitch) + 1) - 1
-    t = np.linspace(0, 1, max(pieces, int(12 * turns) + 2))
-    radius = pitch * (1 + turns * t)
-    out = np.stack([np.cos(2 * np.pi * turns * t), np.sin(2 * np.pi * turns * t), 0 * t], 1)
-    return band((radius + width / 2)[:, None] * out, (radius - width / 2)[:, None] * out)
-
-
-def ring(length: float, width: float, pieces: int) -> Mesh:
-    """`length` is that of its middle line."""
-    angles = np.linspace(0, 2 * np.pi, max(pieces, 12), endpoint=False)
-    out = np.stack([np.cos(angles), np.sin(angles), 0 * angles], 1)
-    radius = length / (2 * np.pi)
-    return band((radius + width / 2) * out, (radius - width / 2) * out, closed=True)
-
-
-def star(length: float, width: float, pieces: int) -> Mesh:
-    """Ten arms of this length around a polygon."""
-    arms, per_arm = 10, max(pieces // 10, 1)
-    angles = 2 * np.pi * (np.arange(arms) - 0.5) / arms
-    corners = width / (2 * np.sin(np.pi / arms)) * np.stack([np.cos(angles), np.sin(angles)], 1)
-    vertices = [np.zeros((1, 2)), corners]
-    faces = [[0, 1 + k, 1 + (k + 1) % arms] for k in range(arms)]
-    count = 1 + arms
-    for k in range(arms):
-        ends = np.array([1 + k, 1 + (k + 1) % arms])
-        angle = 2 * np.pi * k / arms
-        step = length / per_arm * np.array([np.cos(angle), np.sin(angle)])
-        for j in range(1, per_arm + 1):
-            vertices.append(corners[[k, (k + 1) % arms]] + j * step)
-            a, b = ends
-            c, d = ends = np.array([count, count + 1])
-            count += 2
-            faces += [[a, c, d], [a, d, b]]
-    flat = np.vstack(vertices)
-    return Mesh(np.hstack([flat, np.zeros((len(flat), 1))]), np.array(faces, dtype=np.uint32))
-
-
-SHAPES: dict[str, Callable[[float, float, int], Mesh]] = {
-    made.__name__: made for made in (strip, ring, spiral, pipe, square_pipe, star, needle)
-}
-
-
-def square(area: float, pieces: int) -> Mesh:
-    """Of as many cells, about."""
-    n = max(1, round(pieces**0.5))
-    side = area**0.5
-    xs = np.linspace(0, side, n + 1)
-    rows = np.stack([*np.meshgrid(xs, xs, indexing="ij"), np.zeros((n + 1, n + 1))], -1)
-    return grid(rows, closed=False)
-
-
-def area_of(mesh: Mesh) -> float:
-    a, b, c = (mesh.vertices[mesh.faces[:, corner]] for corner in range(3))
-    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+Row = dict[str, Any]
 
 
 def stroke_at_the_end(mesh: Mesh) -> core.Seed:
@@ -153,28 +46,7 @@ def stroke_at_the_end(mesh: Mesh) -> core.Seed:
     return core.Seed(ends, np.array([0, 2], dtype=np.uint32), np.zeros(1, dtype=np.uint8))
 
 
-@dataclass
-class Filled:
-    """What came of a run."""
-
-    empty: float
-    narrow: float
-    reason: str
-    iterations: int
-    nodes: int
-    strands: int
-    crossings: int
-    seconds: float
-
-    def __str__(self) -> str:
-        return (
-            f"empty {self.empty:.4f} narrow {self.narrow:.4f} {self.reason:9} "
-            f"{self.iterations:4} iterations {self.nodes:6} nodes {self.strands} strands "
-            f"{self.crossings} crossings {self.seconds:6.2f} s"
-        )
-
-
-def fill(mesh: Mesh, seed: core.Seed | None, start: str, limit: int) -> Filled:
+def fill(mesh: Mesh, seed: core.Seed | None, start: str, limit: int) -> Row:
     options = core.default_options("even")
     options.radius = 0.5
     options.threads = 1
@@ -190,15 +62,110 @@ def fill(mesh: Mesh, seed: core.Seed | None, start: str, limit: int) -> Filled:
         seconds = time.process_time() - begin
         gaps = flow.gaps()
         figures = flow.statistics()
-    return Filled(
-        gaps.empty_share, gaps.narrow_share, reason, figures["iterations"], figures["nodes"],
-        figures["strands"], figures["crossings"], seconds,
-    )  # fmt: skip
+        work = sum(int(iteration["nodes"]) for iteration in flow.history())
+    kept = ("iterations", "nodes", "strands", "crossings")
+    return {
+        "empty": gaps.empty_share,
+        "narrow": gaps.narrow_share,
+        "reason": reason,
+        "seconds": round(seconds, 3),
+        "node_iterations": work,
+        **{name: figures[name] for name in kept},
+    }
 
 
-@cache
-def seconds_of_square(area: float, pieces: int) -> float:
-    return fill(square(area, pieces), None, "grow", 0).seconds
+def fill_within(seconds: int, mesh: Mesh, seed: core.Seed | None, start: str, limit: int) -> Row:
+    """The same in a process of its own, which ends after so many seconds of a processor."""
+    reading, writing = os.pipe()
+    child = os.fork()
+    if child == 0:
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+        os.write(writing, json.dumps(fill(mesh, seed, start, limit)).encode())
+        os._exit(0)
+    os.close(writing)
+    with os.fdopen(reading) as answer:
+        text = answer.read()
+    os.waitpid(child, 0)
+    return json.loads(text) if text else {"reason": "time"}
+
+
+def is_wrong(row: Row) -> bool:
+    return row["reason"] != "converged" or row["empty"] > 1e-3 or row["crossings"] > 0
+
+
+def line_of(row: Row, of_square: Row) -> str:
+    size = f"{row['length']:5g} x {row['width']:3g} {row['pieces']:3}"
+    what = f"{row['shape']:12} {size} {row['start']:7}"
+    if row["reason"] == "time":
+        return f"! {what} did not end in time"
+    work = row["node_iterations"] / max(of_square.get("node_iterations", 0), 1)
+    return (
+        f"{'!' if is_wrong(row) else ' '} {what} empty {row['empty']:.4f} "
+        f"narrow {row['narrow']:.4f} {row['reason']:9} {row['iterations']:4} iterations "
+        f"{row['nodes']:6} nodes {row['crossings']} crossings work {work:4.1f}"
+    )
+
+
+class Table:
+    """Runs that were made, by what they are runs of, and a file that has them."""
+
+    def __init__(self, path: Path | None) -> None:
+        self.path = path
+        lines = path.read_text().splitlines() if path and path.exists() else []
+        self.rows: dict[str, Row] = {self.key(row): row for row in map(json.loads, lines)}
+
+    @staticmethod
+    def key(row: Row) -> str:
+        return " ".join(str(row[name]) for name in ("shape", "length", "width", "pieces", "start"))
+
+    def get(self, row: Row, mesh: Mesh, seed: core.Seed | None, seconds: int, limit: int) -> Row:
+        known = self.rows.get(self.key(row))
+        if known is not None:
+            return known
+        row = {**row, **fill_within(seconds, mesh, seed, row["start"], limit)}
+        self.rows[self.key(row)] = row
+        if self.path:
+            with self.path.open("a") as file:
+                file.write(json.dumps(row) + "\n")
+        return row
+
+    def square_of(self, row: Row, area: float, seconds: int) -> Row:
+        side = round(area**0.5, 2)
+        like = {"shape": "square", "length": side, "width": side, "pieces": row["pieces"]}
+        made = square(area, row["pieces"])
+        return self.get({**like, "start": "nothing"}, made, None, seconds, 0)
+
+
+def summary(rows: list[Row]) -> list[Row]:
+    """A row for every width, of all shapes but squares and needles, whose tips have none."""
+    of_side = {(r["length"], r["pieces"]): r for r in rows if r["shape"] == "square"}
+    by_width: dict[tuple[float, str], list[Row]] = defaultdict(list)
+    for row in rows:
+        if row["shape"] != "square":
+            by_width[row["width"], row["start"]].append(row)
+    made = []
+    for (width, start), runs in sorted(by_width.items()):
+        ended = [row for row in runs if row["reason"] != "time"]
+        work = []
+        for row in ended:
+            mesh = SHAPES[row["shape"]](row["length"], row["width"], row["pieces"])
+            like = of_side.get((round(area_of(mesh) ** 0.5, 2), row["pieces"]))
+            if like and "node_iterations" in like:
+                work.append(row["node_iterations"] / like["node_iterations"])
+        made.append(
+            {
+                "width": width,
+                "start": start,
+                "runs": len(runs),
+                "filled": sum(not is_wrong(row) for row in ended),
+                "empty": max((row["empty"] for row in ended), default=None),
+                "narrow": max((row["narrow"] for row in ended), default=None),
+                "iterations": max((row["iterations"] for row in ended), default=None),
+                "work": statistics.median(work) if work else None,
+                "most_work": max(work, default=None),
+            }
+        )
+    return made
 
 
 def numbers(text: str) -> list[float]:
@@ -214,9 +181,16 @@ def main() -> int:
     parser.add_argument("--pieces", type=numbers, default=[1, 200], help="along the surface")
     parser.add_argument("--starts", default="nothing,stroke,full")
     parser.add_argument("--limit", type=int, default=0, help="of iterations; 0: as it is")
-    parser.add_argument("--times", action="store_true", help="over that of a square, which is run")
+    parser.add_argument("--seconds", type=int, default=60, help="of a processor, for each run")
+    parser.add_argument("--rows", type=Path, help="of runs that were made, and of those to come")
+    parser.add_argument("--summary", type=Path, metavar="FILE", help="only prints what is in it")
     options = parser.parse_args()
+    if options.summary:
+        for row in summary(list(Table(options.summary).rows.values())):
+            print(json.dumps(row))
+        return 0
     names = [name for name in SHAPES if not options.only or name in options.only.split(",")]
+    table = Table(options.rows)
     wrong = 0
     for name in names:
         for length in options.lengths:
@@ -224,17 +198,13 @@ def main() -> int:
                 for pieces in map(int, options.pieces):
                     mesh = SHAPES[name](length, width, pieces)
                     for start in options.starts.split(","):
+                        row = {"shape": name, "length": length, "width": width, "pieces": pieces}
                         seed = stroke_at_the_end(mesh) if start == "stroke" else None
-                        filled = fill(mesh, seed, start, options.limit)
-                        times = ""
-                        if options.times:
-                            square_seconds = seconds_of_square(area_of(mesh), pieces)
-                            times = f" times {filled.seconds / square_seconds:.1f}"
-                        converged = filled.reason == "converged"
-                        bad = filled.empty > 1e-3 or filled.crossings > 0 or not converged
-                        wrong += bad
-                        what = f"{name:11} {length:5g} x {width:3g} {pieces:3} {start:7}"
-                        print(f"{'!' if bad else ' '} {what} {filled}{times}", flush=True)
+                        row = {**row, "start": start}
+                        made = table.get(row, mesh, seed, options.seconds, options.limit)
+                        like = table.square_of(made, area_of(mesh), options.seconds)
+                        wrong += made["reason"] == "time" or is_wrong(made)
+                        print(line_of(made, like), flush=True)
     print(f"{wrong} not filled")
     return 1 if wrong else 0
 
