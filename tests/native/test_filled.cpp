@@ -247,6 +247,37 @@ TEST(Filled, AShortStrokeAloneHasAWayBack) {
   }
 }
 
+/// Patches of one to two spacings across are narrow like strips: a stroke in the middle of one gets a way back, however
+/// short it is, and two nodes that come and go there do not do so for ever. Figures from before: empty shares, or
+/// 900 iterations.
+TEST(Filled, AShortStrokeOnAPatch) {
+  struct Case {
+    double length, width;
+    uint32_t n;
+    Vec3 from, to;
+    bool full;
+  };
+  const std::vector<Case> cases = {
+      {2.949, 1.840, 20, {1.931, -0.482, 0}, {1.157, -0.53, 0}, false},  // .147
+      {2.462, 1.787, 1, {0.401, -0.046, 0}, {0.093, -0.796, 0}, true},   // .124
+      {1.897, 1.665, 2, {1.584, -0.477, 0}, {1.541, -0.11, 0}, true},    // .165
+      {1.477, 0.763, 1, {0.739, 0.09, 0}, {1.063, -0.221, 0}, true},     // 900, and no length
+      {1.425, 1.430, 20, {0.634, 0.548, 0}, {0.128, 0.101, 0}, true},    // 900, and .041
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.width);
+    const auto surface = std::make_shared<const Surface>(make_surface(strip(c.length, c.width, c.n)));
+    const SeedStrands seed = seed_of({Line{{c.from, c.to}, false, false, false}}, false);
+    FlowSettings settings = checked_settings(options_of(1), *surface);
+    settings.full_start = c.full;
+    Flow flow(surface, &seed, {}, settings);
+    EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+    EXPECT_LT(flow.history().size(), 400u);
+    EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+    EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+  }
+}
+
 /// On a polygon of seventeen corners a turn laid lines end at every corner, and ends of a stroke run on over the gaps.
 TEST(Filled, AStrokeRunsThroughALongSpiral) {
   const auto surface = std::make_shared<const Surface>(make_surface(spiral(11.6, 0.16, 0.8 * kSpacing, 200)));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/point_tree.h"
 #include "base/segment_distance.h"
@@ -25,6 +26,17 @@ double mean_distance(const Curve& curve, const std::vector<Vec3>& nodes, const L
     }
     return d / metric.radius[i];
   });
+}
+
+/// Growth has ended, too, when it has been no longer, by kGrownForSure, in as many iterations than before those, >= 1:
+/// strands of two or three nodes on a patch of a spacing and a half swing for ever, with a period of 90.
+constexpr size_t kSwingWindow = 60;
+
+/// Whether these lengths go up and down, and for long no higher than before: of a few nodes, that come and go.
+bool swings(std::span<const double> lengths) {
+  if (lengths.size() <= 2 * kSwingWindow) return false;
+  const std::span<const double> before = lengths.first(lengths.size() - kSwingWindow);
+  return std::ranges::max(lengths.last(kSwingWindow)) < (1 + kGrownForSure) * std::ranges::max(before);
 }
 
 }  // namespace
@@ -112,7 +124,8 @@ bool Convergence::asks_what_is_far(const IterationFigures& figures, double side)
 }
 
 bool Convergence::has_grown(double change, double clamped_share) const {
-  return (change < kGrownLength && clamped_share < kGrownClamped) || change < kGrownForSure;
+  return (change < kGrownLength && clamped_share < kGrownClamped) || change < kGrownForSure ||
+         swings(std::span(lengths_).subspan(phase_start_));
 }
 
 /// Compares the curve with the one of a window before; the first time it only takes that one down.
@@ -182,7 +195,7 @@ uint32_t Convergence::iterations_in_phase() const {
 void Convergence::note(const Surface& surface, const Curve& curve, const LocalMetric& metric,
                        const IterationFigures& figures, ThreadPool& pool) {
   const double settling = change_in(kSettledWindow, figures.length);
-  const double growing = change_in(kGrowthWindow, figures.length);
+  const bool grown = has_grown(change_in(kGrowthWindow, figures.length), figures.clamped_share);
   lengths_.push_back(figures.length);
   const size_t age = lengths_.size() - phase_start_;
   bool settled = false;
@@ -204,7 +217,7 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
     case Phase::kGrowing:
     case Phase::kLoosening:
     case Phase::kLayingRest:
-      note_growth(figures, polish_wanted_ ? has_grown(growing, figures.clamped_share) : settled);
+      note_growth(figures, polish_wanted_ ? grown : settled);
       break;
     case Phase::kHairpinRemoval:
       if (++removed_for_ >= hairpin_removal_iterations_) begin(Phase::kPolishing);

@@ -28,7 +28,8 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
 /// stay empty that a narrow surface has hardly anything to fill.
 bool begins_full(const FlowSettings& settings, const Domain& domain, size_t drawn) {
   if (settings.full_start) return true;
-  return drawn == 0 && settings.stop_rule != StopRule::kPaper && settings.boundary_distance <= 0.5 &&
+  if (drawn > 0 || settings.stop_rule == StopRule::kPaper || settings.boundary_distance > 0.5) return false;
+  return too_narrow_to_grow(*domain.surface, domain.wanted_radius) ||
          too_long_to_grow(*domain.surface, domain.wanted_radius);
 }
 

@@ -34,7 +34,8 @@ void Iteration::lay(size_t drawn) {
 
 void Iteration::lay_in_empty(size_t trunks) {
   const Domain& domain = given_.domain;
-  FullStart laid = full_start(*domain.surface, given_.curve, trunks, domain.radius, domain.directions,
+  const Curve first = with_short_segments();
+  FullStart laid = full_start(*domain.surface, first, trunks, domain.radius, domain.directions,
                               domain.patches.get(), given_.settings.boundary_distance, pool_,
                               domain.asked_radius.varies(), given_.settings.variation);
   figures_.laid = laid.laid_any();
@@ -49,6 +50,18 @@ void Iteration::lay_in_empty(size_t trunks) {
   laid_.emplace(FlowState{{std::move(laid.curve), {}, {}}, given_.settings, domain, *report_});
   work_.refiner.refine(*laid_, plan_, pool_);
   update_metric(*laid_, pool_);
+}
+
+/// Where parts of open strands may become lines (see Trunks), their segments are as short as they will be in the end.
+Curve Iteration::with_short_segments() {
+  CurveState fine{given_.curve, {}, {}};
+  const bool parted = plan_.phase == Phase::kLayingRest || given_.domain.narrow;
+  if (parted && std::ranges::any_of(fine.curve.strands, [](const Strand& s) { return !s.closed && !s.guide; })) {
+    IterationPlan plan = plan_;
+    plan.segment_length = given_.settings.segment_length;
+    work_.refiner.refine(given_.settings, given_.domain, fine, plan, pool_);
+  }
+  return std::move(fine.curve);
 }
 
 void Iteration::measure() {

@@ -75,6 +75,7 @@ class Iteration {
 
  private:
   void lay_in_empty(size_t trunks);
+  Curve with_short_segments();
   const FlowState& before() const { return laid_ ? *laid_ : given_; }
 
   const FlowState& given_;

@@ -52,6 +52,12 @@ Room leave_room(const Surface& surface, const Curve& curve, RadiusField& radius)
   return {true, radius != before};
 }
 
+bool too_narrow_to_grow(const Surface& surface, const RadiusField& radius) {
+  return std::ranges::all_of(strips_of(surface), [&](const Strip& strip) {
+    return strip.is_long() && strip.width < 4 * radius.most();
+  });
+}
+
 bool too_long_to_grow(const Surface& surface, const RadiusField& radius) {
   const double r = radius.most();
   return std::ranges::all_of(strips_of(surface), [&](const Strip& strip) {

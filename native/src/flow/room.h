@@ -29,4 +29,8 @@ Room leave_room(const Surface& surface, const Curve& curve, RadiusField& radius)
 /// square of that area.
 bool too_long_to_grow(const Surface& surface, const RadiusField& radius);
 
+/// Whether all components are strips narrower than two spacings: nothing can turn on them, and a line that grows can do
+/// no more than run on along them.
+bool too_narrow_to_grow(const Surface& surface, const RadiusField& radius);
+
 }  // namespace meander

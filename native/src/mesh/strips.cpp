@@ -65,8 +65,8 @@ std::vector<Strip> strips_of(const Surface& surface) {
   for (size_t k = 0; k < area.size(); ++k) {
     const double mean = edge[k] / 4, apart = mean * mean - area[k];
     if (!(apart > 0)) continue;
-    const double width = mean - std::sqrt(apart), length = 2 * mean - width;
-    if (length > kLeastStrip * width) strips[k] = {width, length};
+    const double width = mean - std::sqrt(apart);
+    strips[k] = {width, 2 * mean - width};
   }
   return strips;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which components of a surface are long strips, how wide these are, and how long.
+// How wide the components of a surface are and how long, and which are strips.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,15 @@ namespace meander {
 /// A strip is so many times as long as wide.
 inline constexpr double kLeastStrip = 5;
 
-/// A component as the rectangle that has its area and its boundary; infinite where that is no strip.
+/// A component as the rectangle that has its area and its boundary; infinite where there is none, as of a disc.
 struct Strip {
   double width = std::numeric_limits<double>::infinity();
   double length = std::numeric_limits<double>::infinity();
+
+  bool is_long() const { return length > kLeastStrip * width; }
 };
 
-/// Every component. Rings, spirals and the arms of a star are strips; what has no boundary is none.
+/// Every component. Rings, spirals and the arms of a star are long ones; what has no boundary is none.
 std::vector<Strip> strips_of(const Surface& surface);
 
 /// Whether a line can run along each of these strips from end to end: not round a ring, nor into all arms of a star.

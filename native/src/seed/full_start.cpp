@@ -71,9 +71,10 @@ LineField completed(const Surface& surface, const LineField& field, const Radius
   if (variation != 0) smooth.turn({elementary::cos(angle), elementary::sin(angle)});
   const std::vector<Strip> strips = strips_of(surface);
   const double narrow = kNarrow * radius.most();
-  const auto is_narrow = [&](uint32_t f) { return strips[surface.component(f)].width < narrow; };
-  if (std::ranges::min_element(strips, {}, &Strip::width)->width < narrow) {
-    smooth.replace(field_along_boundary(surface, ask), is_narrow);
+  const auto is_narrow = [&](const Strip& strip) { return strip.is_long() && strip.width < narrow; };
+  if (std::ranges::any_of(strips, is_narrow)) {
+    smooth.replace(field_along_boundary(surface, ask),
+                   [&](uint32_t f) { return is_narrow(strips[surface.component(f)]); });
   }
   if (field.empty()) return smooth;
   LineField both = field;

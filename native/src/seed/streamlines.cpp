@@ -195,12 +195,14 @@ class Drawer {
     const double boundary = spacing_.from_boundary * p.radius;
     const double enough = begins ? p.radius : 0;
     double most = 0;
+    bool beside = false;
     beside_boundary_.clear();
-    network_.near(p, std::max({apart, walls, boundary}), [&](uint32_t i, double distance) {
+    network_.near(p, std::max({apart, walls, 2 * boundary}), [&](uint32_t i, double distance) {
       const LineNetwork::Node& other = network_.nodes()[i];
       double limit = apart;
       if (other.line == LineNetwork::kBoundary) {
-        if (distance < boundary) beside_boundary_.push_back(other.place - p.place);
+        beside |= distance < boundary;
+        if (distance < 2 * boundary) beside_boundary_.push_back(other.place - p.place);
         return false;
       } else if (other.line == LineNetwork::kWall || other.line < trunks_) {
         limit = walls;
@@ -210,12 +212,13 @@ class Drawer {
       most = std::max(most, limit - distance);
       return most > enough;
     });
-    if (beside_boundary_.empty() || most > enough) return most;
+    if (!beside || most > enough) return most;
     return std::max(most, boundary_crowding(boundary));
   }
 
-  /// The same of the boundary, which is to be as far as `limit` or, in a strip narrower than twice that, on whose both
-  /// sides it is, no nearer than a share of its width: a line along the middle of it has room for itself.
+  /// The same of the boundary, which is to be as far as `limit` or, in a strip on whose both sides it is, and on the
+  /// other within twice that, no nearer than a share of its width: a line along the middle of it has room for itself,
+  /// also round a corner, where the outer side is farther.
   double boundary_crowding(double limit) const {
     const Vec3& nearest =
         *std::ranges::min_element(beside_boundary_, {}, [](const Vec3& v) { return v.squaredNorm(); });

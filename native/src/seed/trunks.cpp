@@ -16,7 +16,7 @@ namespace {
 constexpr double kOneLine = 3.2, kTwoStrands = 6.4;
 
 /// A tail that is shorter than this, in r, stays part of its trunk.
-constexpr double kLeastTail = 1.5;
+constexpr double kLeastTail = 1;
 
 /// An end runs on along a line whose tip is no farther than this, in r, and no farther from straight ahead than by this
 /// cosine.
@@ -183,8 +183,8 @@ void Trunks::part_alone(const Curve& curve, size_t k, LineNetwork& network, std:
   size_t first = 0, last = count;  // what stays: from the one to before the other, two nodes at least
   while (first < count && is_alone(first)) ++first;
   if (first == count) {
-    // Other lines may go on from both of its tips.
-    first = count / 2 - 1;
+    // Other lines may go on from both of its tips, but a short one has only one.
+    first = arc(count - 1) < 3 * kLeastTail ? 0 : count / 2 - 1;
     last = first + 2;
   } else {
     while (last > first + 2 && is_alone(last - 1)) --last;
