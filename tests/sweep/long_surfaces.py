@@ -137,7 +137,7 @@ class Table:
 
 
 def summary(rows: list[Row]) -> list[Row]:
-    """A row for every width, of all shapes but squares and needles, whose tips have none."""
+    """A row for every width and start, of all shapes but squares."""
     of_side = {(r["length"], r["pieces"]): r for r in rows if r["shape"] == "square"}
     by_width: dict[tuple[float, str], list[Row]] = defaultdict(list)
     for row in rows:
@@ -156,8 +156,7 @@ def summary(rows: list[Row]) -> list[Row]:
             {
                 "width": width,
                 "start": start,
-                "runs": len(runs),
-                "filled": sum(not is_wrong(row) for row in ended),
+                "filled": f"{sum(not is_wrong(row) for row in ended)} of {len(runs)}",
                 "empty": max((row["empty"] for row in ended), default=None),
                 "narrow": max((row["narrow"] for row in ended), default=None),
                 "iterations": max((row["iterations"] for row in ended), default=None),
