@@ -3,23 +3,27 @@
 
 The line has two sides, in each of which any two places are joined by one way only, as long as the
 surface has no handle: a maze without loops. One side is the maze; a door is a gap that leads into
-it from the other. Numpy only.
+it from the other. On a sheet the inlets of the other side are branches of it too. Numpy only.
 """
 
 from __future__ import annotations
 
-import heapq
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
 from .cut import is_parted
+from .maze_inlets import Inlet, find_inlets
+from .maze_ways import Graph, common, way_to, ways
 
 # In spacings: a door to the outside is no farther from the boundary of the surface than this. Of a
 # way, how much dearer it is close to a wall than in the middle of a corridor.
 _FROM_BORDER, _AT_WALL = 1.0, 0.1
+# In spacings: a door is no nearer to the mouth of an inlet, along the wall.
+_FROM_CORNER = 1.5
 # Doors at a boundary are chosen among so many places, and so far apart at least, as a share of the
 # widest two. What is farther from the boundary than this, in spacings, is the middle.
 _PLACES, _APART, _MIDDLE = 96, 0.8, 2.5
@@ -36,17 +40,21 @@ class NoMaze(ValueError):
 
 @dataclass(frozen=True)
 class Doors:
-    """Two places on a strand of a cut, by their numbers in `cut.line_vertices`, and which strand.
+    """Two doors, and what else is changed of the walls, by numbers of points on a strand of a cut,
+    as in `cut.line_vertices`.
 
-    region   of the cut's faces: the side that is the maze
+    ends     the vertices of the cut at the doors
+    gaps     in the wall; those of inlets lead from one corridor to another
+    bars     walls across the mouths of inlets, from point to point, and whether there is a door in
+             it
     through  unless they were looked for at the boundary, and no way between two that are far apart
              leads through the middle
     """
 
     strand: int
-    region: int
-    first: int
-    second: int
+    ends: tuple[int, int]
+    gaps: tuple[int, ...]
+    bars: tuple[tuple[int, int, bool], ...] = ()
     through: bool = True
 
 
@@ -99,50 +107,69 @@ class Maze:
         graph = self._graph(self.region)
         start = before = int(candidates[0])
         for _ in range(2):  # corridors are a tree: what is farthest from anywhere is an end of it
-            far, _ = _ways(graph, [self._line[start]], self._on_line)
+            far, _ = ways(graph, [self._line[start]], self._on_line)
             reached = far[self._line[candidates]]
             reached = np.where(np.isfinite(reached), reached, -1.0)
             start, before = int(candidates[np.argmax(reached)]), start
-        return Doors(self.strand, self.region, *sorted((before, start)))
+        return self._doors(before, start)
 
     def _doors_at_border(self, candidates: NDArray[np.int64]) -> Doors:
         chosen = candidates[np.linspace(0, len(candidates) - 1, _PLACES).astype(int)]
         chosen = np.unique(chosen)
-        graph = self._graph(self.region)
-        far, before = _ways(graph, [self._line[chosen[0]]], self._on_line)
-        chosen = chosen[np.isfinite(far[self._line[chosen]])]
-        places = self._cut.positions[self._line[chosen]]
-        ways = [_way_to(int(vertex), before) for vertex in self._line[chosen]]
+        mouths = np.array([inlet.mouth for inlet in self._inlets], dtype=np.int64)
+        ends = np.concatenate([self._line[chosen], mouths])
+        far, before = ways(self._whole, [int(ends[0])], self._closed)
+        numbers = np.flatnonzero(np.isfinite(far[ends]))  # up to len(chosen), of points of the line
+        ends = ends[numbers]
+        first, second, through = self._most_inner(ends, before)
+        gaps = [inlet.gap for inlet in self._inlets]
+        opened = [int(numbers[end]) - len(chosen) for end in (first, second)]
+        gaps += [int(chosen[end]) for end in numbers[[first, second]] if end < len(chosen)]
+        bars = [(each.first, each.last, k in opened) for k, each in enumerate(self._inlets)]
+        doors = (int(ends[first]), int(ends[second]))
+        return Doors(self.strand, doors, tuple(gaps), tuple(bars), through)
+
+    def _most_inner(
+        self, ends: NDArray[np.int64], before: list[int]
+    ) -> tuple[int, int, bool]:
+        """Which two of these vertices have doors, and whether the way between them leads through
+        the middle.
+
+        before   as of the ways from one of them
+        """
+        places = self._cut.positions[ends]
+        found = [way_to(int(vertex), before) for vertex in ends]
         apart = np.linalg.norm(places[:, None] - places[None], axis=2)
-        away = self._from_border(np.unique(np.concatenate(ways)))
-        courses = [self._course(way, away) for way in ways]
+        away = np.zeros(len(self._cut.positions))
+        passed = np.unique(np.concatenate(found))
+        away[passed] = self._from_border(passed)
+        courses = [self._course(way, away) for way in found]
         deep, least = _DEEP * float(away.max()), _LEAST * float(apart.max())
-        best, pair = (False, -1.0), (0, len(chosen) - 1)
+        best, pair = (False, -1.0), (0, len(ends) - 1)
         # Corridors are a tree: the way between two doors is what their ways from anywhere do not
         # have in common.
         for i, j in zip(*np.nonzero(np.triu(apart >= _APART * apart.max(), 1)), strict=True):
-            same = _common(ways[i], ways[j]) - 1
+            same = common(found[i], found[j]) - 1
             whole, inner = (
                 one[-1] + other[-1] - 2.0 * one[same]
                 for one, other in zip(courses[i][:2], courses[j][:2], strict=True)
             )
             deepest = max(courses[i][2][same], courses[j][2][same])
             through = inner >= _INNER * whole and deepest >= deep and whole >= least
-            found = (bool(through), float(inner))
-            if found > best:
-                best, pair = found, (int(i), int(j))
-        doors = sorted(int(chosen[place]) for place in pair)
-        return Doors(self.strand, self.region, *doors, through=best[0])
+            rated = (bool(through), float(inner))
+            if rated > best:
+                best, pair = rated, (int(i), int(j))
+        return *pair, best[0]
 
     def _from_border(self, vertices: NDArray[np.int64]) -> NDArray[np.float64]:
-        """How far these vertices are from the boundary; 0 of all others."""
+        """How far each of these vertices is from the boundary, straight."""
         positions = self._cut.positions
         border = positions[self._border]
-        away = np.zeros(len(positions))
+        found = []
         for some in np.array_split(vertices, len(vertices) // 512 + 1):
             steps = positions[some][:, None] - border[None]
-            away[some] = np.sqrt((steps**2).sum(axis=2).min(axis=1))
-        return away
+            found.append(np.sqrt((steps**2).sum(axis=2).min(axis=1)))
+        return np.concatenate(found)
 
     def _course(
         self, way: NDArray[np.int64], away: NDArray[np.float64]
@@ -172,10 +199,10 @@ class Maze:
     def _dead_ends(self, way: NDArray[np.int64]) -> int:
         """How many corridors end at neither door: places of the side that are farther from the
         first door than all round them, by more than a corridor is wide."""
-        far, _ = _ways(self._graph(self.region, plain=True), [int(way[0])], self._on_line)
-        graph = self._graph(self.region, plain=True)
+        graph = self._graph(*self._corridors, plain=True)
+        far, _ = ways(graph, [int(way[0])], self._closed)
         order = np.argsort(-far, kind="stable")
-        order = order[np.isfinite(far[order]) & ~self._on_line[order]]
+        order = order[np.isfinite(far[order]) & ~self._closed[order]]
         root = {}  # of every vertex that is known, one that leads to the farthest of its part
 
         def farthest(vertex: int) -> int:
@@ -205,13 +232,52 @@ class Maze:
             int(np.argmin(np.abs(lengths - share * self._cut.lengths[self.strand])))
             for share in (first, second)
         )
-        return Doors(self.strand, self.region, *sorted(places))
+        return self._doors(*places)
+
+    def _doors(self, first: int, second: int) -> Doors:
+        """In the wall, at points of the strand."""
+        gaps = (min(first, second), max(first, second))
+        return Doors(self.strand, (int(self._line[gaps[0]]), int(self._line[gaps[1]])), gaps)
 
     def way(self, doors: Doors) -> NDArray[np.int64]:
         """The vertices of the cut on the way from door to door, through the middle of corridors."""
-        begin, end = self._line[doors.first], self._line[doors.second]
-        _, before = _ways(self._graph(self.region), [begin], self._on_line)
-        return _way_to(int(end), before)
+        begin, end = doors.ends
+        if doors.bars:
+            _, before = ways(self._whole, [begin], self._closed)
+        else:
+            _, before = ways(self._graph(self.region), [begin], self._on_line)
+        return way_to(end, before)
+
+    @cached_property
+    def _inlets(self) -> list[Inlet]:
+        """Of the other side, where the surface has a boundary."""
+        if not len(self._border):
+            return []
+        outside, away = self._graph(self._other, plain=True), self._from_border(self._line)
+        return find_inlets(
+            self._cut.positions, self._line, outside, self._border, away, self._spacing
+        )
+
+    @property
+    def _corridors(self) -> tuple[int, ...]:
+        """The regions that have corridors of the maze."""
+        return (self.region, self._other) if self._inlets else (self.region,)
+
+    @cached_property
+    def _closed(self) -> NDArray[np.bool_]:
+        """Vertices where ways may end but not go on: walls, and what is outside of the maze."""
+        closed = np.zeros(len(self._cut.positions), dtype=bool)
+        closed[self._cut.faces[self._cut.regions == self._other]] = True
+        for inlet in self._inlets:
+            closed[inlet.inside] = False
+        closed |= self._on_line
+        closed[self._line[[inlet.gap for inlet in self._inlets]]] = False
+        return closed
+
+    @cached_property
+    def _whole(self) -> Graph:
+        """Of all corridors of the maze."""
+        return self._graph(*self._corridors)
 
     def _sides(self) -> tuple[int, int]:
         """The regions on both sides of the strand: the first is on the positive side."""
@@ -227,83 +293,29 @@ class Maze:
         every = np.arange(len(self._line))
         if not len(self._border):
             return every
-        far, _ = _ways(self._graph(self._other, plain=True), self._border, self._on_line)
-        near = every[far[self._line] <= _FROM_BORDER * self._spacing]
+        far, _ = ways(self._graph(self._other, plain=True), self._border, self._on_line)
+        near = far[self._line] <= _FROM_BORDER * self._spacing
+        lengths, whole = self._cut.arc_lengths[self._span], float(self._cut.lengths[self.strand])
+        for inlet in self._inlets:
+            for corner in (inlet.first, inlet.last):
+                along = np.abs(lengths - lengths[corner])
+                near &= np.minimum(along, whole - along) > _FROM_CORNER * self._spacing
+        near = every[near]
         return near if len(near) > 1 else every
 
-    def _graph(self, region: int, plain: bool = False) -> _Graph:
-        """The edges of a region's faces, longer where they run close to a wall.
+    def _graph(self, *regions: int, plain: bool = False) -> Graph:
+        """The edges of the faces of regions, longer where they run close to a wall.
 
         plain   as long as they are
         """
         cut = self._cut
-        faces = cut.faces[cut.regions == region].astype(np.int64)
+        faces = cut.faces[np.isin(cut.regions, regions)].astype(np.int64)
         edges = np.unique(np.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1), axis=0)
         lengths = np.linalg.norm(np.diff(cut.positions[edges], axis=1)[:, 0], axis=1)
         if not plain:
             away = cut.distances[edges].mean(axis=1) / (self._spacing / 2.0)
             lengths = lengths / (np.minimum(away, 1.0) ** 2 + _AT_WALL)
-        return _Graph.of(edges, lengths, len(cut.positions))
-
-
-@dataclass(frozen=True)
-class _Graph:
-    """Neighbours and lengths of vertex v: those from firsts[v] to firsts[v + 1]."""
-
-    firsts: list[int]
-    neighbours: list[int]
-    lengths: list[float]
-
-    @classmethod
-    def of(cls, edges: NDArray[np.int64], lengths: NDArray[np.float64], count: int) -> _Graph:
-        both = np.vstack([edges, edges[:, ::-1]])
-        order = np.lexsort((both[:, 1], both[:, 0]))
-        firsts = np.searchsorted(both[order, 0], np.arange(count + 1))
-        return cls(
-            firsts.tolist(), both[order, 1].tolist(), np.tile(lengths, 2)[order].tolist()
-        )
-
-
-def _ways(
-    graph: _Graph, sources: NDArray[np.int64] | list[int], closed: NDArray[np.bool_]
-) -> tuple[NDArray[np.float64], list[int]]:
-    """Dijkstra's shortest ways: how long they are, and what comes before each vertex, -1 at their
-    beginning.
-
-    closed   where ways may end but not go on, unless they begin there
-    """
-    lengths = [np.inf] * len(closed)
-    before = [-1] * len(closed)
-    queue = [(0.0, int(source)) for source in sources]
-    begins = {source for _, source in queue}
-    for _, source in queue:
-        lengths[source] = 0.0
-    heapq.heapify(queue)
-    while queue:
-        length, vertex = heapq.heappop(queue)
-        if length > lengths[vertex] or closed[vertex] and vertex not in begins:
-            continue
-        for place in range(graph.firsts[vertex], graph.firsts[vertex + 1]):
-            other, further = graph.neighbours[place], length + graph.lengths[place]
-            if further < lengths[other]:
-                lengths[other], before[other] = further, vertex
-                heapq.heappush(queue, (further, other))
-    return np.array(lengths), before
-
-
-def _way_to(vertex: int, before: list[int]) -> NDArray[np.int64]:
-    """The way from where _ways() begin to a vertex."""
-    found = [vertex]
-    while before[found[-1]] >= 0:
-        found.append(before[found[-1]])
-    return np.array(found[::-1])
-
-
-def _common(one: NDArray[np.int64], other: NDArray[np.int64]) -> int:
-    """How many vertices two ways have in common at their beginning."""
-    count = min(len(one), len(other))
-    differ = one[:count] != other[:count]
-    return int(np.argmax(differ)) if differ.any() else count
+        return Graph.of(edges, lengths, len(cut.positions))
 
 
 def _border_vertices(faces: NDArray[np.uint32]) -> NDArray[np.int64]:
@@ -311,79 +323,3 @@ def _border_vertices(faces: NDArray[np.uint32]) -> NDArray[np.int64]:
     pairs = np.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1).astype(np.int64)
     edges, count = np.unique(pairs, axis=0, return_counts=True)
     return np.unique(edges[count == 1])
-
-
-def wall_pieces(
-    points: NDArray[np.float64],
-    normals: NDArray[np.float64],
-    gaps: list[tuple[float, float]],
-) -> list[tuple[NDArray[np.float64], NDArray[np.float64], bool]]:
-    """What is left of a closed line without gaps: points, normals, and whether it is closed.
-
-    points, normals   (n, 3), the first point not repeated at the end
-    gaps              the middle of each, as an arc length, and its width
-    """
-    ring, across = np.vstack([points, points[:1]]), np.vstack([normals, normals[:1]])
-    steps = np.linalg.norm(np.diff(ring, axis=0), axis=1)
-    at = np.concatenate([[0.0], np.cumsum(steps)])
-    whole = at[-1]
-    if not gaps:
-        return [(points, normals, True)]
-    bounds = sorted(((middle - width / 2) % whole, width) for middle, width in gaps)
-    pieces = []
-    for (begin, width), (following, _) in zip(bounds, bounds[1:] + bounds[:1], strict=True):
-        start = begin + width
-        length = (following - start) % whole
-        if length <= 0.0 or length > whole - width / 2.0:  # gaps that meet leave nothing between
-            continue
-        inner = (at[:-1] - start) % whole
-        kept = np.flatnonzero((inner > 0.0) & (inner < length))
-        kept = kept[np.argsort(inner[kept])]
-        ends = [(start % whole), ((start + length) % whole)]
-        piece = [
-            np.vstack([_at(values, at, ends[0]), values[kept], _at(values, at, ends[1])])
-            for values in (ring, across)
-        ]
-        pieces.append((piece[0], piece[1], False))
-    return pieces
-
-
-def _at(values: NDArray[np.float64], at: NDArray[np.float64], place: float) -> NDArray[np.float64]:
-    """Values between those of points, at an arc length."""
-    return np.array([np.interp(place, at, values[:, axis]) for axis in range(3)])
-
-
-def wall(
-    points: NDArray[np.float64],
-    normals: NDArray[np.float64],
-    closed: bool,
-    width: float,
-    height: float,
-    depth: float,
-) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """A wall along a line: vertices (4 n, 3) and faces (f, 4), watertight, facing outward.
-
-    points, normals   (n, 3), of the line and of the surface below it
-    depth             how far the wall goes on below the surface
-    """
-    count = len(points)
-    if closed:
-        tangents = np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0)
-    else:
-        tangents = np.gradient(points, axis=0)
-    up = normals / np.linalg.norm(normals, axis=1, keepdims=True)
-    left = np.cross(up, tangents)
-    left /= np.linalg.norm(left, axis=1, keepdims=True)
-    half, low, high = width / 2.0 * left, -depth * up, height * up
-    rows = [points + half + low, points + half + high, points - half + high, points - half + low]
-    vertices = np.stack(rows, axis=1).reshape(-1, 3)
-    here = 4 * np.arange(count if closed else count - 1)
-    there = (here + 4) % (4 * count)
-    sides = [
-        np.column_stack([here + a, here + b, there + b, there + a])
-        for a, b in ((0, 1), (1, 2), (2, 3), (3, 0))
-    ]
-    if not closed:
-        last = 4 * (count - 1)
-        sides += [np.array([[3, 2, 1, 0]]), np.array([[last, last + 1, last + 2, last + 3]])]
-    return vertices, np.vstack(sides)

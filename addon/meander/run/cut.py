@@ -22,12 +22,14 @@ class CutResult:
 
     skin      of the surface
     parted    whether the curve has two sides everywhere, which `cut.sides` are then
+    drawn     the strands of the curve with round turns, if they were asked for
     """
 
     cut: core.CutSurface
     skin: Skin
     plan: Plan
     parted: bool
+    drawn: core.Polylines | None = None
 
     def make(
         self, name: str, cut: core.CutSurface | None = None, keep_normals: bool = True
@@ -57,12 +59,14 @@ def cut_result(
     detail: float = 0.0,
     middle_lines: bool = False,
     sides: bool = False,
+    rounding: float = 0.0,
 ) -> CutResult:
     """Cuts a result's surface along its splines, as Continue would begin with them.
 
     detail         length of edges, in half spacings; 0: what the curve calls for
     middle_lines   edges halfway between neighbouring turns too
     sides          those at least where the curve does not part the surface: sides meet there then
+    rounding       tolerance of the line with round turns, in spacings; 0: none is drawn
 
     Raises DataError and core.MeanderError with a sentence for what cannot be done.
     """
@@ -83,8 +87,9 @@ def cut_result(
         parted = cuts.is_parted(cut)
         if sides and not parted and not middle_lines:
             cut = core.cut_surface(flow, length, middle_lines=True)
+        drawn = flow.rounded(rounding)[0] if rounding else None
     skin = skin_of(plan.surface.find(), depsgraph)
-    return CutResult(cut, skin, plan, parted)
+    return CutResult(cut, skin, plan, parted, drawn)
 
 
 def paint(thing: bpy.types.Object, material: bpy.types.Material) -> None:

@@ -32,6 +32,8 @@ Made = tuple[list[bpy.types.Object], str]
 _FINEST = 0.1
 # The tube of a way through a maze, in spacings.
 _WAY = 0.08
+# How far a wall may be from the line, for round turns; as looks begin with.
+_ROUND = 0.12
 # The input of a modifier that is told the spacing.
 SPACING = "Spacing"
 
@@ -46,6 +48,7 @@ class Maker:
     detail        where `values` have none
     middle_lines  likewise
     sides         the sides are to be those at least where the curve does not part the surface
+    round         the tolerance of the line with round turns that it takes, in spacings; 0: none
     """
 
     suffix: str
@@ -54,6 +57,7 @@ class Maker:
     detail: float = 0.0
     middle_lines: bool = False
     sides: bool = False
+    round: float = 0.0
 
 
 def make(
@@ -73,6 +77,7 @@ def make(
         max(detail, _FINEST) if detail > 0.0 else 0.0,
         values.get("middle_lines", maker.middle_lines),
         maker.sides,
+        maker.round,
     )
     return maker.make(cut, f"{result.name} {maker.suffix}", values)
 
@@ -137,7 +142,7 @@ def _maze(cut: CutResult, name: str, values: Values) -> Made:
     width, height = values["width"], values["height"]
     made = [
         write_walls(
-            name, cut.cut, surface, matrix, spacing,
+            name, cut.cut, cut.drawn, surface, matrix, spacing,
             (width * spacing, height * spacing),
             (doors, (values["door_width"] + width) * spacing),
         )
@@ -173,5 +178,6 @@ MAKERS = {
         ("height", "width", "doors", "first_door", "second_door", "door_width", "solution"),
         detail=0.5,
         middle_lines=True,
+        round=_ROUND,
     ),
 }
