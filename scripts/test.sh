@@ -189,7 +189,7 @@ beside suite core 900 "${in_profile[@]}" \
   /usr/bin/python3 -m pytest -q -p no:cacheprovider "${for_machines[@]/#/--ignore=}" tests/core
 beside suite native 1200 ctest --test-dir build --output-on-failure --no-tests=error
 beside window ui 100 run undo live look make mirror variations
-beside window ui-more 200 nothing_lost calm_panel seeds first_try export camera
+beside window ui-more 200 nothing_lost calm_panel seeds first_try export camera picture
 profile documents
 beside suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py $($all && echo --all)
 wait $in_new_blender || true # what it has noted is read by the next

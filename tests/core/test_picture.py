@@ -7,10 +7,13 @@ from __future__ import annotations
 import json
 import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import PACKAGE
 from meander import batch, core
 from meander.model.files.whole import FileError
 from meander.model.geometry.flat_crossings import crossings, segments_of
@@ -380,3 +383,31 @@ def test_without_pillow_there_is_a_sentence(portrait, tmp_path, monkeypatch, cap
     monkeypatch.setattr(image.importlib.util, "find_spec", lambda _name: None)
     assert run("--picture", portrait, "--output", tmp_path / "a.svg") == 2
     assert "pip install Pillow" in capsys.readouterr().err
+
+
+def test_a_picture_comes_and_goes_by_the_standard_streams(portrait, tmp_path):
+    words = ("--width", "20", "--pen", str(PEN), "--output-format", "svg")
+    command = [sys.executable, str(PACKAGE / "batch.py"), "--picture", "-", "--output", "-", *words]
+    made = subprocess.run(command, input=portrait.read_bytes(), capture_output=True, timeout=60)
+    assert made.returncode == 0, made.stderr
+    assert made.stdout.startswith(b"<?xml") and made.stdout.rstrip().endswith(b"</svg>")
+    assert b"mm of line" not in made.stdout and b"one line" in made.stderr
+    out = tmp_path / "out.svg"
+    assert run("--picture", portrait, "--output", out, "--quiet", *words[:4]) == 0
+    drawing = re.compile(rb'<path[^>]* d="[^"]*"')
+    assert drawing.findall(made.stdout) == drawing.findall(out.read_bytes())
+
+
+def test_ways_between_lines_take_time(portrait, tmp_path):
+    pillow = pytest.importorskip("PIL.Image")
+    values = np.full((40, 80, 2), 120, np.uint8)
+    values[..., 1] = 255
+    values[:, 35:45, 1] = 0
+    pillow.fromarray(values, "LA").save(portrait)
+    report = tmp_path / "a.json"
+    assert run("--picture", portrait, "--width", 40, "--pen", PEN, "--no-bridges", "--output",
+               tmp_path / "a.svg", "--report", report, "--feed", 600, "--travel-feed", 1200,
+               "--quiet") == 0  # fmt: skip
+    record = json.loads(report.read_text())
+    assert record["inks"][0]["lines"] == 2 and 5.0 < record["travel"] < 45.0
+    assert record["minutes"] == pytest.approx(record["length"] / 600 + record["travel"] / 1200)

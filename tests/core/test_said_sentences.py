@@ -160,6 +160,7 @@ PICTURES = """
 --test-strip --output folder.obj
 --test-strip --output none/out.svg
 --test-strip --report out.svg
+--picture shot.blend --output - --output-format dxf --inks cyan,black
 """
 
 

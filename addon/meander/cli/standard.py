@@ -12,7 +12,7 @@ import os
 import re
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
@@ -32,14 +32,16 @@ NAME = Path("-")
 FORMATS = tuple(suffix[1:] for suffix in (".obj", *SUFFIXES, *EXPORTED))
 
 # Options whose file may be one of the two streams.
-_READ = ("input", "seed", "guides")
+_READ = ("input", "seed", "guides", "picture", "mask")
 _WRITTEN = ("output", "report")
+# And those whose file may not.
+_NAMED = ("cut", "maps", "preview")
 
 
-def add_options(parser: argparse.ArgumentParser) -> None:
+def add_options(parser: argparse.ArgumentParser, formats: Sequence[str] = FORMATS) -> None:
     parser.add_argument(
         "--output-format",
-        choices=FORMATS,
+        choices=formats,
         help="what goes to the standard output with --output -, where no name says it",
     )
 
@@ -96,7 +98,9 @@ def _without(folder: str, text: str) -> str:
 
 
 def _kind_of(data: bytes, option: str) -> str:
-    """The suffix of a mesh by its bytes; curves are OBJ."""
+    """The suffix of a mesh by its bytes. Curves are OBJ, and images need none."""
+    if option in ("picture", "mask"):
+        return ""
     if option != "input":
         return ".obj"
     if data.startswith(b"ply"):
@@ -117,16 +121,17 @@ def _send(path: Path) -> None:
 
 def _asked(arguments: argparse.Namespace, place: Place) -> tuple[list[str], list[str]]:
     """The options that name the standard input, and those that name the standard output."""
-    read = [name for name in _READ if getattr(arguments, name) == NAME]
-    written = [name for name in _WRITTEN if getattr(arguments, name) == NAME]
+    read, written, named = (
+        [name for name in names if getattr(arguments, name, None) == NAME]
+        for names in (_READ, _WRITTEN, _NAMED)
+    )
     for names, stream in ((read, "input"), (written, "output")):
         if len(names) > 1:
             raise BadInput(
                 f"--{names[0]} and --{names[1]} are both the standard {stream}; name a file for one"
             )
-    for name in ("cut", "maps"):
-        if getattr(arguments, name) == NAME:
-            raise BadInput(f"--{name} cannot go to the standard output; name a file")
+    for name in named:
+        raise BadInput(f"--{name} cannot go to the standard output; name a file")
     if arguments.output == NAME and arguments.output_format is None:
         raise BadInput("--output - says no format; give --output-format, such as svg")
     if arguments.output != NAME and arguments.output_format is not None:

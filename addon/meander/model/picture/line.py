@@ -38,9 +38,9 @@ STYLES = ("portrait", "engraving", "scribble")
 _MOST_PLACES = 30_000_000
 # Of the length of a segment, in half spacings: half as much again as the library's own is a third
 # fewer nodes, for a thousandth of the range in tone.
-_SEGMENT = 0.3
+SEGMENT = 0.3
 # How much directions count, where there are any: with 2 the tone suffers.
-_ALIGNMENT = 1.0
+ALIGNMENT = 1.0
 # The mean spacings over which the direction of an engraving is found: of the edges, and of what
 # they lie in.
 _EDGES, _FORM = 0.7, 2.5
@@ -144,6 +144,13 @@ class Layer:
     def length(self) -> float:
         return Drawing(self.strands, "mm", True).length
 
+    @property
+    def travel(self) -> float:
+        """With the pen up, from the end of each line to the beginning of the next."""
+        ends = [each.points[0 if each.closed else -1] for each in self.strands[:-1]]
+        begins = [each.points[0] for each in self.strands[1:]]
+        return float(np.linalg.norm(np.subtract(begins, ends), axis=-1).sum()) if ends else 0.0
+
     def entry(self) -> dict[str, Any]:
         """Of a report; lengths in millimetres."""
         plan = self.plan
@@ -151,6 +158,7 @@ class Layer:
             "ink": plan.name,
             "lines": len(self.strands),
             "length": self.length,
+            "travel": self.travel,
             "spacing": plan.spacing,
             "tone": {} if self.error is None else self.error.entry(),
             "out_of_reach": {"too_dark": plan.dark, "too_light": plan.light},
@@ -251,7 +259,7 @@ def _plan(
         directions=_directions(made, grid, wishes, name, pen / mean, used),
     )
     if problem.directions is not None:
-        problem.options.alignment_weight = _ALIGNMENT
+        problem.options.alignment_weight = ALIGNMENT
     dark = float((made.darkness.ravel()[used] > tone.darkest).mean())
     light_share = float((made.darkness.ravel()[used] < tone.lightest).mean())
     kept = kept.reshape(left.shape)
@@ -272,7 +280,7 @@ def _plan(
 def _options(wishes: Wishes, spacing: float) -> core.FlowOptions:
     options = core.default_options("even")
     options.radius = spacing / 2.0
-    options.segment_length = _SEGMENT * options.radius
+    options.segment_length = SEGMENT * options.radius
     options.threads = wishes.threads
     options.variation = wishes.variation
     if wishes.style != "scribble":
