@@ -68,7 +68,7 @@ from .core import (
 from .core import VERSION as __version__
 from .files import read_curve, read_mesh, write_curve, write_cut
 from .model.files.whole import FileError
-from .pictures import Drawing, draw_picture
+from .pictures import Drawing, draw_picture, tone_density
 
 __all__ = [
     "ABI_VERSION",
@@ -119,6 +119,7 @@ __all__ = [
     "option_warnings",
     "read_curve",
     "read_mesh",
+    "tone_density",
     "write_curve",
     "write_cut",
 ]

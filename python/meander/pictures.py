@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .core import Flow, MeanderError, unknown_name
 from .files import drawing_values
-from .model import export
+from .model import density, export
 from .model.files.rows import write_pieces
 from .model.files.whole import FileError, whole_file
 from .model.picture import line
@@ -21,7 +21,7 @@ from .model.picture.drawn import preview
 from .model.picture.image import Image, image_of, read_image
 from .model.picture.inks import INKS
 from .model.picture.page import pieces_of_page
-from .model.picture.tone import TONES, Tone
+from .model.picture.tone import TONES, Tone, light_of
 
 _TONE = {field.name for field in fields(Tone)} - {"kind"}
 _LINE = {field.name for field in fields(line.Wishes)} - {"tone"}
@@ -139,7 +139,6 @@ def draw_picture(
         if name not in known:
             raise MeanderError(unknown_name("wish", name, sorted(known)))
     for name, value, choices in (
-        ("tone", kind, TONES),
         ("style", wishes.get("style", line.Wishes.style), line.STYLES),
         *(("ink", ink, tuple(INKS)) for ink in wishes.get("inks", ())),
     ):
@@ -148,13 +147,50 @@ def draw_picture(
     for name, value in (("width", width), ("pen", pen)):
         if not (np.isfinite(value) and value > 0.0):
             raise MeanderError(f"{name} {value!r} is not greater than 0; choose a length")
-    tone = Tone(kind, **{name: value for name, value in wishes.items() if name in _TONE})
-    if not 0.0 < tone.lightest < tone.darkest <= 1.0:
-        raise MeanderError("lightest and darkest are not in order; choose 0 < lightest < darkest")
+    tone = _tone(kind, {name: value for name, value in wishes.items() if name in _TONE})
     of_line = {name: value for name, value in wishes.items() if name in _LINE}
     asked = line.Wishes(float(width), float(pen), tone=tone, **of_line)
     layers = line.draw(_image(picture), asked, None if mask is None else _image(mask), run)
     return Drawing(layers, asked)
+
+
+def tone_density(
+    light: ArrayLike, spacing: float, pen: float, tone: str = Tone.kind, **wishes: Any
+) -> NDArray[np.float64]:
+    """The density with which a line on a surface has the tone of a brightness, for Flow: the
+    spacing of strands is the width of the line over the darkness, wherever that is.
+
+    light     (n,) of the vertices, from 0 to 1, scene-linear; sRGB has to be decoded
+    spacing   twice options.radius; a place whose darkness is pen / spacing has it
+    pen       width of the line, in the units of the vertices
+    tone      "eye", "light" or "value"
+    wishes    darkest, lightest, levels, paper, as in draw_picture; negative: the line is light and
+              the ground dark
+
+    Raises MeanderError for wishes that cannot be.
+    """
+    known = ["darkest", "levels", "lightest", "negative", "paper"]
+    for name in wishes:
+        if name not in known:
+            raise MeanderError(unknown_name("wish", name, known))
+    for name, value in (("spacing", spacing), ("pen", pen)):
+        if not (np.isfinite(value) and value > 0.0):
+            raise MeanderError(f"{name} {value!r} is not greater than 0; choose a length")
+    values = np.asarray(light, dtype=np.float64)
+    if values.ndim != 1 or not np.isfinite(values).all():
+        raise MeanderError("light is no list of finite numbers; give one for each vertex")
+    made = _tone(tone, wishes)
+    levels = None if made.levels is None else tuple(light_of(np.array(made.levels)).tolist())
+    return density.tone_density(values, made, pen / spacing, levels)
+
+
+def _tone(kind: str, wishes: dict[str, Any]) -> Tone:
+    if kind not in TONES:
+        raise MeanderError(unknown_name("tone", kind, TONES))
+    tone = Tone(kind, **wishes)
+    if not 0.0 < tone.lightest < tone.darkest <= 1.0:
+        raise MeanderError("lightest and darkest are not in order; choose 0 < lightest < darkest")
+    return tone
 
 
 def _image(picture: str | Path | ArrayLike) -> Image:

@@ -74,6 +74,12 @@ TRIES = """
 --density-curvature mean --density-ramp 0:1,1:9
 --density-curvature mean --density-ramp 0:1,0:1
 --density-curvature mean --density-ramp 0:1,x
+--pen 0.1
+--negative
+--tone-group Name
+--tone-color rgb --darkest 0.2 --lightest 0.3
+--tone-color rgb --levels 50 20
+--tone-color rgb --density-curvature mean
 --output out.svg --layout view
 --output out.svg --layout uv
 --output out.dxf --visible-only

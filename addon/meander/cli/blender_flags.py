@@ -20,6 +20,8 @@ _REASONS = {
     "direction_angle": _DATA,
     "density_group": _DATA,
     "density_image": _DATA,
+    "tone_group": _DATA,
+    "tone_image": _DATA,
     "uv_map": _DATA,
     "mask_group": _DATA,
     "mask_material": _DATA,

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The options of the batch command that say where the strands are closer; no bpy."""
+"""The options of the batch command that say where the strands are closer, as a density or as a
+tone; no bpy.
+"""
 
 from __future__ import annotations
 
@@ -14,6 +16,7 @@ from ..model.density import (
     CURVATURES,
     FREE,
     INTERPOLATIONS,
+    TONE,
     Choice,
     Stops,
     Values,
@@ -22,6 +25,9 @@ from ..model.density import (
 from ..model.files.meshes import SUFFIXES
 from ..model.files.vertex_values import COLORS, vertex_colors, vertex_numbers
 from ..model.files.whole import FileError
+from ..model.options.tone import OF_SURFACES
+from ..model.picture.tone import light_of
+from . import tone
 from .flags import add_flags
 from .values import number
 
@@ -33,6 +39,8 @@ _SOURCES = (
     ("image", "IMAGE", "image"),
     ("curvature", "CURVATURE", "curvature"),
 )
+# Of tone: how much a surface bends is no brightness.
+_SOURCES_OF_TONE = _SOURCES[:-1]
 # The kinds of --input that have such a source, where it is not .blend only.
 _OF_FILES = {
     "attribute": (".blend", ".ply"),
@@ -47,6 +55,8 @@ _DETAILS = (
     "density_interpolation",
     "density_ramp",
 )
+# And those that mean nothing without a tone.
+_OF_TONE = (*tone.COMMON_NAMES, "pen")
 _LEAST_FACTOR, _GREATEST_FACTOR = 0.05, 5.0
 
 
@@ -56,26 +66,15 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "One source of values; where they are high the spacing is smaller, unless the factors "
         "say otherwise. What is left out is as saved with the .blend's object.",
     )
+    _add_sources(group, "density")
     add = group.add_argument
-    add("--density-group", metavar="NAME", help="vertex group of the .blend's object")
-    add(
-        "--density-attribute",
-        metavar="NAME",
-        help="attribute of numbers, of points, faces or corners; of a .ply, one of its vertices",
-    )
-    add(
-        "--density-color",
-        metavar="NAME",
-        help=f"color attribute: its brightness; of a .ply or .obj, where colours have no name, "
-        f"{COLORS}",
-    )
-    add("--density-image", metavar="NAME", help="image in the .blend: its brightness")
     add("--density-curvature", choices=CURVATURES, help="absolute curvature of the surface")
     add_flags(group, "density")
     add(
         "--uv-map",
         metavar="NAME",
-        help="for --density-image, --direction u and images of --direction-angle; default: active",
+        help="for --density-image, --tone-image, --direction u and images of --direction-angle; "
+        "default: active",
     )
     add(
         "--density-range",
@@ -99,32 +98,73 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="instead of both: factors at places in the range, from 0 at LOW to 1 at HIGH, such as "
         "0:0.5,0.4:1,1:2; straight in between",
     )
+    group = parser.add_argument_group(
+        "tone",
+        "Instead of a density: one source of brightness that the line is to have, seen from "
+        "afar. The spacing is the width of the line over the darkness.",
+    )
+    _add_sources(group, "tone")
+    tone.add_common(group)
+    add_flags(group, "tone", OF_SURFACES)
+
+
+def _add_sources(group: argparse._ArgumentGroup, what: str) -> None:
+    add = group.add_argument
+    add(f"--{what}-group", metavar="NAME", help="vertex group of the .blend's object")
+    add(
+        f"--{what}-attribute",
+        metavar="NAME",
+        help="attribute of numbers, of points, faces or corners; of a .ply, one of its vertices",
+    )
+    add(
+        f"--{what}-color",
+        metavar="NAME",
+        help=f"color attribute: its brightness; of a .ply or .obj, where colours have no name, "
+        f"{COLORS}",
+    )
+    add(f"--{what}-image", metavar="NAME", help="image in the .blend: its brightness")
 
 
 def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
     """One sentence about options that do not fit each other, or the input of suffix `kind`."""
     given = _given(arguments)
     if len(given) > 1:
-        names = " and ".join(f"--density-{option}" for option, _source, _kind in given[:2])
-        return f"{names} are both given; choose one source of density"
+        names = " and ".join(f"--{option}" for option, _source, _kind in given[:2])
+        what = "source of density" if given[1][0].startswith("density") else "source"
+        return f"{names} are both given; choose one {what}"
     for option, _source, what in given:
-        if kind not in _OF_FILES.get(option, (".blend",)):
-            name = getattr(arguments, f"density_{option}")
+        name = _named(arguments, option)
+        plain = option.partition("-")[2]
+        if kind not in _OF_FILES.get(plain, (".blend",)):
             return f"unknown {what} {name!r}: a {kind} file has none; give a .blend to --input"
-        name = getattr(arguments, f"density_{option}")
-        if option == "color" and kind != ".blend" and name != COLORS:
-            return f"--density-color {name}: the colours of a {kind} file are called {COLORS}"
-    if not given:
+        if plain == "color" and kind != ".blend" and name != COLORS:
+            return f"--{option} {name}: the colours of a {kind} file are called {COLORS}"
+    of_tone = bool(given) and given[0][0].startswith("tone")
+    if not given or of_tone:
         for detail in _DETAILS:
             if getattr(arguments, detail) is not None:
                 option = detail.replace("_", "-")
                 return f"--{option} needs a source of density; give one such as --density-group"
+    if not of_tone:
+        for detail in _OF_TONE:
+            if getattr(arguments, detail) is not None:
+                return f"--{detail} needs a source of tone; give one such as --tone-image"
+        if arguments.negative:
+            return "--negative needs a source of tone; give one such as --tone-image"
     if arguments.uv_map is not None and arguments.density_image is None:
-        if arguments.direction not in ("u", "v") and arguments.direction_angle is None:
+        if (
+            arguments.tone_image is None
+            and arguments.direction not in ("u", "v")
+            and arguments.direction_angle is None
+        ):
             return (
-                "--uv-map is for --density-image, --direction u or v, and the image of "
-                "--direction-angle; give one of them"
+                "--uv-map is for --density-image, --tone-image, --direction u or v, and the image "
+                "of --direction-angle; give one of them"
             )
+    return tone.problem_of(arguments) if of_tone else _problem_of_ramp(arguments)
+
+
+def _problem_of_ramp(arguments: argparse.Namespace) -> str | None:
     if arguments.density_smoothing is not None:
         if arguments.density_curvature is None:
             return "--density-smoothing is for --density-curvature; give both or none"
@@ -177,20 +217,32 @@ def _free_ramp(stops: Stops) -> dict[str, Any]:
 
 
 def _given(arguments: argparse.Namespace) -> list[tuple[str, str, str]]:
-    return [entry for entry in _SOURCES if getattr(arguments, f"density_{entry[0]}") is not None]
+    """The sources that are given: the option without its dashes, its source, and what it names."""
+    options = [(f"density-{name}", source, what) for name, source, what in _SOURCES]
+    options += [(f"tone-{name}", source, what) for name, source, what in _SOURCES_OF_TONE]
+    return [entry for entry in options if _named(arguments, entry[0]) is not None]
+
+
+def _named(arguments: argparse.Namespace, option: str) -> str | None:
+    return getattr(arguments, option.replace("-", "_"))
 
 
 def choice_of(arguments: argparse.Namespace, saved: Choice) -> Choice:
-    """The density of the command: its source, and for the rest what it says or what is saved."""
+    """The density of the command: its source, and for the rest what it says or what is saved.
+    Raises FileError for measurements of paper that are none."""
     given = _given(arguments)
     if not given:
         return replace(saved, source="NONE", name="")
     ((option, source, _what),) = given
-    changes: dict[str, Any] = {"source": source, "name": getattr(arguments, f"density_{option}")}
+    changes: dict[str, Any] = {"source": source, "name": _named(arguments, option)}
     if source != saved.source:
         changes["value_range"] = None  # what is saved is in the units of another source
     if arguments.uv_map is not None:
         changes["uv_map"] = arguments.uv_map
+    if option.startswith("tone"):
+        return replace(saved, **changes, **_as_tone(arguments, saved))
+    if saved.interpolation == TONE:
+        changes["interpolation"] = Choice.interpolation
     if arguments.density_smoothing is not None:
         changes["smoothing"] = arguments.density_smoothing
     if arguments.density_range is not None:
@@ -203,6 +255,20 @@ def choice_of(arguments: argparse.Namespace, saved: Choice) -> Choice:
     if arguments.density_ramp is not None:
         changes.update(_free_ramp(_read_stops(arguments.density_ramp)))
     return replace(saved, **changes)
+
+
+def _as_tone(arguments: argparse.Namespace, saved: Choice) -> dict[str, Any]:
+    """The part of a Choice that makes it a tone."""
+    made: dict[str, Any] = {"interpolation": TONE, "tone": tone.tone_of(arguments, saved.tone)}
+    if arguments.negative:
+        made["tone"] = replace(made["tone"], negative=True)
+    if arguments.levels is not None:
+        low, high = light_of(np.array(arguments.levels))
+        made["value_range"] = (float(low), float(high))
+    if arguments.pen is not None:
+        spacing = arguments.spacing
+        made["line"] = Choice.line if spacing is None else arguments.pen / spacing
+    return made
 
 
 def of_file(choice: Choice, path: Path) -> Values | None:
@@ -220,20 +286,28 @@ def of_file(choice: Choice, path: Path) -> Values | None:
             f"'{choice.name}' is not a finite number at vertex {int(bad[0])} of {path}; correct "
             "its values"
         )
-    return choice.ramp(values).density(values)
+    return choice.density(values)
 
 
 def echo(arguments: argparse.Namespace, choice: Choice) -> dict[str, Any]:
-    """The entries of the report about the density."""
+    """The entries of the report about the density and the tone."""
     entries: dict[str, Any] = {
-        f"density_{option}": getattr(arguments, f"density_{option}")
-        for option, _source, _what in _SOURCES
+        f"{what}_{option}": getattr(arguments, f"{what}_{option}")
+        for what, sources in (("density", _SOURCES), ("tone", _SOURCES_OF_TONE))
+        for option, _source, _what in sources
     }
-    varies = choice.source != "NONE"
+    of_tone = choice.is_tone
+    varies = choice.source != "NONE" and not of_tone
     entries["uv_map"] = choice.uv_map or None if choice.source == "IMAGE" else None
     entries["density_range"] = choice.value_range if varies else None
     entries["spacing_factors"] = choice.factors if varies else None
     entries["density_smoothing"] = choice.smoothing if choice.source == "CURVATURE" else None
     entries["density_interpolation"] = choice.interpolation if varies else None
     entries["density_ramp"] = choice.stops if varies and choice.stops else None
+    entries["tone"] = choice.tone.kind if of_tone else None
+    entries["pen"] = choice.line * arguments.spacing if of_tone else None
+    for name in ("darkest", "lightest", "negative"):
+        entries[name] = getattr(choice.tone, name) if of_tone else None
+    entries["paper"] = list(choice.tone.paper) or None if of_tone else None
+    entries["levels"] = arguments.levels
     return entries

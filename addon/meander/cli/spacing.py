@@ -15,7 +15,9 @@ def settled(
     arguments: argparse.Namespace, vertices: np.ndarray, faces: np.ndarray
 ) -> core.FlowOptions:
     """The options of the flow, once the surface is known: where no spacing was given, the automatic
-    one of the panel is put into the arguments."""
+    one of the panel is put into the arguments, and with a width of the line twice as much."""
+    if arguments.spacing is None and arguments.pen is not None:
+        arguments.spacing = 2.0 * arguments.pen
     if arguments.spacing is None:
         arguments.spacing = core.automatic_spacing(vertices, faces)
         arguments.spacing_is_automatic = True

@@ -3,19 +3,21 @@
 
 A value per vertex, be it a weight, a brightness or a curvature, goes through a Ramp, which says how
 many times the spacing neighbouring strands are to be apart there. Density is one over the square of
-that factor, since the local spacing is the spacing divided by sqrt(density).
+that factor, since the local spacing is the spacing divided by sqrt(density). As a tone a value is a
+brightness: the spacing is the width of the line over the share of ink that looks so.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
 from .field import FieldOn
+from .picture.tone import Tone, levels_of, lightness, of_lightness
 
 Values = NDArray[np.float64]
 
@@ -23,6 +25,8 @@ CURVATURES = ("mean", "gaussian")
 INTERPOLATIONS = ("linear", "smooth", "constant")
 # One more, which needs stops.
 FREE = "free"
+# And one that is no ramp: values are brightness, see tone_density().
+TONE = "tone"
 
 # Where in the range, and how far from the low factor to the high one, both in [0, 1]; in order.
 Stops = tuple[tuple[float, float], ...]
@@ -88,6 +92,8 @@ class Choice:
     interpolation: str = "linear"
     smoothing: float = 2.0  # of curvature, in units of r
     stops: Stops = ()  # of the interpolation "free"
+    tone: Tone = field(default_factory=Tone)  # of the interpolation "tone", without its levels
+    line: float = 0.5  # likewise: width of the line, in spacings
 
     @property
     def varies(self) -> bool:
@@ -112,6 +118,48 @@ class Choice:
             low, high = 0.0, 1.0
         return Ramp(low, high, *self.factors, self.interpolation, self.stops)
 
+    @property
+    def is_tone(self) -> bool:
+        """Whether values are brightness, and the width of the line counts."""
+        return self.varies and self.interpolation == TONE
+
+    def density(self, values: Values) -> Values:
+        """The density per vertex for values per vertex."""
+        if self.interpolation == TONE:
+            return tone_density(values, self.tone, self.line, self.value_range)
+        return self.ramp(values).density(values)
+
+
+def shares_of_ink(
+    light: Values, tone: Tone, value_range: tuple[float, float] | None = None
+) -> Values:
+    """The share of ink that looks as bright.
+
+    light         from 0 to 1, scene-linear; what is beyond counts as 0 or 1
+    value_range   the light that becomes darkest and lightest; None: by tone.levels_of()
+    """
+    seen = lightness(np.asarray(light, dtype=np.float64).clip(0.0, 1.0))
+    if value_range is None:
+        low, high = levels_of(seen, tone)
+    else:
+        low, high = lightness(np.array(value_range, dtype=np.float64).clip(0.0, 1.0))
+    # Where both are the same it is a step, as a Ramp is.
+    span = (high - low) or 1e-9
+    return of_lightness((100.0 * (seen - low) / span).clip(0.0, 100.0), tone).share
+
+
+def tone_density(
+    light: Values, tone: Tone, line: float, value_range: tuple[float, float] | None = None
+) -> Values:
+    """The density with which a line has the tone of a brightness: its spacing is its width over
+    the share of ink.
+
+    line   width of the line, in spacings: of so much ink is a place where the density is 1
+
+    The others are as in shares_of_ink().
+    """
+    return (shares_of_ink(light, tone, value_range) / line) ** 2
+
 
 def curvature_density(choice: Choice, radius: float) -> FieldOn:
     """What computes the density from the absolute curvature of a surface.
@@ -126,7 +174,7 @@ def curvature_density(choice: Choice, radius: float) -> FieldOn:
         values = surface.curvature(f"absolute_{choice.name}", smoothing, context)
         noise = 1e-6 / diagonal ** (2 if choice.name == "gaussian" else 1)
         values[values < noise] = 0.0
-        return choice.ramp(values).density(values)
+        return choice.density(values)
 
     return on
 

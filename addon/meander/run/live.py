@@ -44,7 +44,7 @@ PAINTED = frozenset({"GROUP", "ATTRIBUTE", "COLOR"})
 
 def is_live(setting: str) -> bool:
     """Whether a flow takes changes of a setting without beginning again."""
-    return setting in _OPTIONS or setting in _OTHERS or setting.startswith("density_")
+    return setting in _OPTIONS or setting in _OTHERS or setting.startswith(("density_", "tone_"))
 
 
 def differs(before: Meaning, now: Meaning) -> bool:

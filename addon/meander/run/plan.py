@@ -14,6 +14,7 @@ import numpy as np
 
 from .. import core
 from ..model import strands
+from ..model.density import TONE, Choice
 from ..model.geometry.reflection import mirror_of
 from ..model.geometry.simplification import Light
 from ..model.options.input import light_of
@@ -24,7 +25,7 @@ from ..model.problem import Problem, begin_along_directions
 from ..scene import points, results
 from ..scene import strands as scene_strands
 from ..scene.alignment import alignment_of, directions_of
-from ..scene.density import chosen_density, density_of, unused_paint
+from ..scene.density import choice_of, chosen_density, density_of, unused_paint
 from ..scene.errors import DataError
 from ..scene.evaluated import evaluated_once, matrix_of
 from ..scene.fillable import shows_instances, why_not
@@ -151,7 +152,7 @@ def _plan_of(
         from_surface=from_surface,
         matrix=matrix,
         spacing=spacing,
-        look=_look_of(settings),
+        look=_look_of(settings, choice),
         parts=tuple(parts),
         materials=materials,
         name=f"{(settings.seed or surface).name} Meander",
@@ -214,17 +215,19 @@ def with_looks(plan: Plan, settings: bpy.types.PropertyGroup) -> Plan:
     """The same plan with what a result shows of its curve as the settings say now."""
     return replace(
         plan,
-        radius_follows=settings.radius_follows,
+        radius_follows=settings.radius_follows and choice_of(settings).interpolation != TONE,
         points_as=settings.points_as,
         bridges=settings.bridge_parts,
         light=light_of(chosen(in_panel("Make"), settings)),
     )
 
 
-def _look_of(settings: bpy.types.PropertyGroup) -> Look:
-    """What a new result is to look like."""
+def _look_of(settings: bpy.types.PropertyGroup, choice: Choice) -> Look:
+    """What a new result is to look like. With a tone it is as thick as the line that was thought
+    of, or it would look darker or lighter."""
     profile = settings.bl_rna.properties["profile"].enum_items[settings.profile].value
-    radius = settings.bevel_share if settings.use_bevel else 0.0
+    share = choice.line / 2.0 if choice.is_tone else settings.bevel_share
+    radius = share if settings.use_bevel else 0.0
     return Look(radius, profile, round=settings.round_share)
 
 

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from ..model.density import (
     FREE,
+    TONE,
     Choice,
     Stops,
     Values,
@@ -28,6 +29,8 @@ from ..model.density import (
     srgb_luminance,
 )
 from ..model.field import FieldOn
+from ..model.options.option import as_typed
+from ..model.picture.tone import Tone
 from .attributes import (
     corner_counts,
     is_color,
@@ -59,9 +62,27 @@ def choice_of(settings: bpy.types.PropertyGroup) -> Choice:
         uv_map=settings.density_uv_map,
         value_range=value_range if settings.use_density_range else None,
         factors=(settings.factor_0, settings.factor_1),
-        interpolation=settings.density_interpolation.lower(),
+        interpolation=_interpolation_of(settings),
         smoothing=float(f"{settings.density_smoothing:.6g}"),
         stops=_stops_of(settings),
+        tone=tone_of(settings),
+        line=as_typed(settings.tone_line) / 2.0,
+    )
+
+
+def _interpolation_of(settings: bpy.types.PropertyGroup) -> str:
+    chosen = settings.density_interpolation.lower()
+    # How much a surface bends is no brightness.
+    return "linear" if chosen == TONE and settings.density_source == "CURVATURE" else chosen
+
+
+def tone_of(settings: bpy.types.PropertyGroup) -> Tone:
+    """What the settings say of tone."""
+    return Tone(
+        settings.tone_kind.lower(),
+        as_typed(settings.tone_darkest),
+        min(as_typed(settings.tone_lightest), 0.9 * as_typed(settings.tone_darkest)),
+        negative=settings.tone_negative,
     )
 
 
@@ -144,6 +165,10 @@ def store_choice(choice: Choice, settings: bpy.types.PropertyGroup) -> None:
         settings.density_ramp = ramp_of(choice.stops)
     settings.density_interpolation = choice.interpolation.upper()
     settings.density_smoothing = choice.smoothing
+    tone = choice.tone
+    settings.tone_kind, settings.tone_negative = tone.kind.upper(), tone.negative
+    settings.tone_darkest, settings.tone_lightest = tone.darkest, tone.lightest
+    settings.tone_line = 2.0 * choice.line
 
 
 def density_of(
@@ -164,7 +189,7 @@ def density_of(
     if choice.source == "CURVATURE":
         return curvature_density(choice, radius)
     values = painted_values(choice, surface, depsgraph, "density")
-    return choice.ramp(values).density(values)
+    return choice.density(values)
 
 
 def painted_values(

@@ -4,7 +4,8 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, PointerProperty, StringProperty
 
-from ..model.density import FREE
+from ..model.density import FREE, TONE
+from ..model.options.tone import ROWS as TONE_ROWS
 from ..scene import density
 from ..scene.attributes import attribute_names, color_names
 from ..scene.density import active_group, choice_of
@@ -157,6 +158,12 @@ class DensitySettings:
                 "Curve",
                 "Drawn by hand: to the right the value, upwards the share of At High",
             ),
+            (
+                "TONE",
+                "Tone",
+                "Values are brightness, and the line looks so from afar: its width over the "
+                "spacing is how dark it is",
+            ),
         ),
         default="LINEAR",
         options=set(),
@@ -216,6 +223,12 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
     def _draw_ramp(self, layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
         taken = active_group(settings, surface_of(owner_of(settings)))
         layout.active = choice_of(settings).varies or bool(taken)
+        if choice_of(settings).interpolation == TONE:
+            layout.prop(settings, "density_interpolation", text="Ramp")
+            for option in TONE_ROWS:
+                row(layout, settings, option.setting)
+            self._draw_range(layout, settings)
+            return
         column = layout.column(align=True)
         unit = column.split(factor=0.4)
         unit.label(text="")  # the fields' own labels are below
@@ -227,6 +240,9 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
             node = density.node_of(settings.density_ramp)
             if node is not None:
                 layout.template_curve_mapping(node, "mapping")
+        self._draw_range(layout, settings)
+
+    def _draw_range(self, layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
         layout.column(heading="Range").prop(settings, "use_density_range", text="Custom")
         column = layout.column(align=True)
         column.active = settings.use_density_range

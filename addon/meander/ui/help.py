@@ -39,6 +39,7 @@ _OF_SETTINGS = (
     ("density_*", "density"),
     ("factor_*", "density"),
     ("use_density*", "density"),
+    ("tone_*", "density"),
     ("alignment_*", "terms"),
     ("align_across", "terms"),
     ("*_weight", "terms"),

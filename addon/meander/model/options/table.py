@@ -10,8 +10,9 @@ from __future__ import annotations
 from .flow import ROWS as FLOW_ROWS
 from .input import ROWS as INPUT_ROWS
 from .option import Option
+from .tone import ROWS as TONE_ROWS
 
-TABLE: tuple[Option, ...] = FLOW_ROWS + INPUT_ROWS
+TABLE: tuple[Option, ...] = FLOW_ROWS + INPUT_ROWS + TONE_ROWS
 
 BY_SETTING: dict[str, Option] = {option.setting: option for option in TABLE}
 

@@ -48,6 +48,7 @@ class Tone:
     sharpen         the same for what is a spacing around them
     paper           shares of ink, and how dark they were measured on paper, both rising; none: as
                     dark as they are
+    negative        the line is light and the ground dark: its share is what is bright
     """
 
     kind: str = "eye"
@@ -57,6 +58,7 @@ class Tone:
     local_contrast: float = 0.0
     sharpen: float = 0.0
     paper: Sequence[tuple[float, float]] = ()
+    negative: bool = False
 
 
 @dataclass(frozen=True)
@@ -147,25 +149,55 @@ def wanted(light: NDArray[np.float64], tone: Tone, kept: NDArray[np.bool_], cell
 
 def levels_of(seen: NDArray[np.float64], tone: Tone) -> tuple[float, float]:
     """The lightness that becomes darkest and lightest."""
+    return weighted_levels(seen, np.ones(len(seen)), tone)
+
+
+def weighted_levels(
+    seen: NDArray[np.float64], weights: NDArray[np.float64], tone: Tone
+) -> tuple[float, float]:
+    """The same of places that count for more or less of the picture."""
     if tone.levels is not None:
         return tone.levels
-    if tone.kind != "eye" or not len(seen):
+    if tone.kind != "eye" or not (weights > 0.0).any():
         return 0.0, 100.0
-    low, high = (float(value) for value in np.quantile(seen, [_LOST, 1.0 - _LOST]))
+    low, high = weighted_quantiles(seen, weights, [_LOST, 1.0 - _LOST])
     lacking = max(0.0, _LEAST_RANGE - (high - low)) / 2.0
     return max(0.0, low - lacking), min(100.0, high + lacking)
+
+
+def weighted_quantiles(
+    values: NDArray[np.float64], weights: NDArray[np.float64], shares: Sequence[float]
+) -> list[float]:
+    """What shares of all weight lie below, each."""
+    order = np.argsort(values, kind="stable")
+    upto = np.cumsum(weights[order])
+    places = (upto - 0.5 * weights[order]) / upto[-1]
+    return np.interp(shares, places, values[order]).tolist()
+
+
+def exposed(
+    light: NDArray[np.float64], weights: NDArray[np.float64], tone: Tone
+) -> NDArray[np.float64]:
+    """Light as a photographer would expose it, where tones are fitted to what the pen has: what is
+    to be lightest is white. Else it is as it is."""
+    if tone.kind != "eye" or not (weights > 0.0).any():
+        return light
+    (white,) = weighted_quantiles(light, weights, [1.0 - _LOST])
+    return light / white if white > 0.0 else light
 
 
 def of_lightness(seen: NDArray[np.float64], tone: Tone) -> Wanted:
     """The share of ink for a lightness from 0 to 100."""
     black, white = darkness_on_paper(np.array([tone.darkest, tone.lightest]), tone.paper)
     if tone.kind == "eye":
-        ends = lightness(1.0 - np.array([black, white]))
-        darkness = 1.0 - light_of(ends[0] + seen / 100.0 * (ends[1] - ends[0]))
-    elif tone.kind == "light":
-        darkness = 1.0 - light_of(seen)
+        ends = np.array([white, black] if tone.negative else [1.0 - black, 1.0 - white])
+        low, high = lightness(ends)
+        reflected = light_of(low + seen / 100.0 * (high - low))
     else:
-        darkness = 1.0 - to_value(light_of(seen))
+        reflected = light_of(seen)
+        if tone.kind == "value":
+            reflected = to_value(reflected)
+    darkness = reflected if tone.negative else 1.0 - reflected
     share = share_for(darkness.clip(white, black), tone.paper)
     return Wanted(share.clip(tone.lightest, tone.darkest), darkness)
 
