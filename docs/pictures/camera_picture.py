@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script: draws docs/images/gallery/scene_drawing.svg, a still life from a camera.
+"""Blender script: draws docs/images/gallery/scene_drawing.svg, a still life from a camera, and
+scene_tone.svg, the same as dark as a sun makes it.
 
     bash docs/pictures/make.sh camera
 
@@ -21,7 +22,8 @@ import gallery_scenes  # noqa: E402
 import meander  # noqa: E402
 import studio  # noqa: E402
 
-PICTURE = ROOT / "docs" / "images" / "gallery" / "scene_drawing.svg"
+FOLDER = ROOT / "docs" / "images" / "gallery"
+PAGE = {"paper": "CUSTOM", "width": 150.0, "height": 120.0, "margin": 2.0}
 
 
 def directed(source: str, **settings: str) -> None:
@@ -56,17 +58,36 @@ def still_life() -> None:
     render.resolution_x, render.resolution_y = 560, 448
 
 
+def sunlight() -> None:
+    """From the upper left, with some light from everywhere."""
+    sun = bpy.data.lights.new("Sun", "SUN")
+    sun.energy = 3.0
+    thing = bpy.data.objects.new("Sun", sun)
+    thing.rotation_euler = (math.radians(48.0), 0.0, math.radians(-42.0))
+    bpy.context.scene.collection.objects.link(thing)
+    world = bpy.data.worlds.new("World")
+    world.color = (0.12, 0.12, 0.12)
+    bpy.context.scene.world = world
+    bpy.context.view_layer.update()
+
+
+def draw(name: str, **how: object) -> None:
+    """The drawing on white paper."""
+    path = FOLDER / name
+    bpy.ops.meander.draw_camera(filepath=str(path), **PAGE, **how)
+    text = path.read_text(encoding="utf-8")
+    paper = '<rect width="100%" height="100%" fill="#ffffff"/>\n<g fill="none"'
+    path.write_text(text.replace('<g fill="none"', paper, 1), encoding="utf-8")
+    print(f"{path.name}: {path.stat().st_size} bytes", flush=True)
+
+
 meander.register()
 try:
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     still_life()
-    bpy.ops.meander.draw_camera(
-        filepath=str(PICTURE), spacing=1.3, line_width=0.25, paper="CUSTOM", width=150.0,
-        height=120.0, margin=2.0,
-    )  # fmt: skip
-    text = PICTURE.read_text(encoding="utf-8")
-    paper = '<rect width="100%" height="100%" fill="#ffffff"/>\n<g fill="none"'
-    PICTURE.write_text(text.replace('<g fill="none"', paper, 1), encoding="utf-8")
-    print(f"{PICTURE.name}: {PICTURE.stat().st_size} bytes", flush=True)
+    if "tone" not in sys.argv:
+        draw("scene_drawing.svg", spacing=1.3, line_width=0.25)
+    sunlight()
+    draw("scene_tone.svg", use_tone=True, line_width=0.5)
 finally:
     meander.unregister()

@@ -211,6 +211,38 @@ def test_what_another_object_hides_is_left_out(tmp_path: Path) -> None:
     assert set(bare) == {"Wall"} and within(bare["Wall"], -0.05).sum() > 100
 
 
+def test_outlines_are_layers_of_what_is_seen_of_them(tmp_path: Path) -> None:
+    eye = camera((0.0, -30.0, 0.0))
+    eye.data.type, eye.data.ortho_scale = "ORTHO", 4.0
+    for name, place in (("Front", (-0.5, -3.0, 0.0)), ("Back", (0.5, 3.0, 0.0))):
+        bpy.ops.mesh.primitive_uv_sphere_add(segments=48, ring_count=24, radius=0.8, location=place)
+        scenes.activate(bpy.context.active_object).name = name
+        bpy.ops.object.shade_smooth()
+    found = drawn(tmp_path / "a.svg", 9.0, use_outlines=True, report_too=True)
+    assert set(found) == {"Front", "Front Outline", "Back", "Back Outline"}
+    unit = frame().sides[0] / 4.0
+    middle = np.array([297.0, 210.0]) / 2.0
+    (front,), back = found["Front Outline"], found["Back Outline"]
+    for paths, place in (([front], -0.5), (back, 0.5)):
+        points = np.vstack(paths) - middle - [place * unit, 0.0]
+        assert np.linalg.norm(points, axis=1) == pytest.approx(0.8 * unit, rel=0.02)
+    assert np.array_equal(front[0], front[-1]), "in front it is whole"
+    # Behind, the arc within the other circle is hidden.
+    hidden = 2.0 * math.acos(0.5 / 0.8) / (2.0 * math.pi)
+    share = steps_of(back)[1].sum() / (2.0 * math.pi * 0.8 * unit)
+    assert share == pytest.approx(1.0 - hidden, abs=0.03)
+    record = json.loads((tmp_path / "a.json").read_text())
+    assert record["outlines"] == 1 + len(back) and record["crossings"] == 0
+
+
+def test_a_scene_without_light_is_refused(tmp_path: Path) -> None:
+    camera((0.0, -8.0, 0.0))
+    plane("Plane", 2.0, (0.0, 0.0, 0.0))
+    bpy.context.scene.world = None
+    said = refused(tmp_path / "a.svg", use_tone=True)
+    assert said == "The scene has no light; add a lamp, or leave Tone off"
+
+
 def test_nothing_leaves_the_frame(tmp_path: Path) -> None:
     camera((0.3, -3.0, 1.2))
     floor = plane("Floor", 60.0, (0.0, 0.0, 0.0))
@@ -433,7 +465,7 @@ def test_the_dialog_says_what_the_page_comes_to() -> None:
     texts = []
     for more in ({}, {"spacing": 1.0}, {"paper": "A3", "margin": 30.0 * math.sqrt(0.5)}):
         dialog = SimpleNamespace(
-            **chosen | more, line_width=0.3, report_too=False, layout=Layout(),
+            **chosen | more, line_width=0.3, report_too=False, use_tone=False, layout=Layout(),
             _size=estimate(3.0), bl_rna=bpy.ops.meander.draw_camera.get_rna_type(),
         )  # fmt: skip
         for name in ("_frame", "_expected"):
@@ -490,6 +522,8 @@ def test_the_command_draws_the_same(tmp_path: Path) -> None:
         (("--camera", "Nobody"), "has no object 'Nobody'; give the name of a camera"),
         (("--input", "none.blend"), "is no .blend file that Blender"),
         (("--spacing", "0"), "is out of range"),
+        (("--tone", "eye"), "--tone and --spacing are both given; choose one"),
+        (("--darkest", "0.5"), "--darkest is for --tone; give both or none"),
     ],
 )
 def test_the_command_refuses(
@@ -501,6 +535,25 @@ def test_the_command_refuses(
     said = capsys.readouterr().err
     assert sentence in said and said.count("\n") == 1
     assert not output.exists()
+
+
+def test_the_command_draws_the_light(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    saved(tmp_path)
+    output = tmp_path / "a.svg"
+    given = ["--output", str(output), "--paper", "a5", "--line-width", "3", "--quiet"]
+    toned = [*given, "--tone", "light"]
+    assert draw.main([*toned, "--lightest", "0.5", "--darkest", "0.4"]) == 2
+    assert "--lightest is not less than --darkest" in capsys.readouterr().err
+    lamp = bpy.data.lights.new("Sun", "SUN")
+    thing = bpy.data.objects.new("Sun", lamp)
+    thing.rotation_euler.x = math.radians(90.0)  # it shines along y, as the camera looks
+    bpy.context.scene.collection.objects.link(thing)
+    lengths = []
+    for lamp.energy in (0.5, 2.5):
+        assert draw.main(toned) == 0
+        paths = [path for layer in layers_of(output).values() for path in layer]
+        lengths.append(steps_of(paths)[1].sum())
+    assert lengths[1] < 0.7 * lengths[0], "more light, less line"
 
 
 def test_the_command_takes_a_frame_and_a_camera(

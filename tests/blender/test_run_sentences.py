@@ -32,6 +32,10 @@ MODULES = [path for path in OF_SCENES if path.parent.name != "scene"]
 OF_DRAWINGS = {
     "camera sees no surface": "camera sees no surface; turn",
     "is seen edge on": "is seen edge on; turn it",
+    "The scene has no light; add": "The scene has no light; add a lamp",
+    "is for --tone; give both": "is for --tone; give both or none",
+    "--tone and --spacing are both": "--tone and --spacing are both given",
+    "--lightest is not less than": "--lightest is not less than",
     "Nothing is drawn: ": "Nothing is drawn: ",
     "is no paper; choose from": "is no paper; choose from",
     "leave nothing of the page": "the margins leave nothing of",

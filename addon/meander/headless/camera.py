@@ -13,11 +13,16 @@ from pathlib import Path
 import bpy
 
 from ..cli.exit_code import exit_code_of
+from ..cli.flags import add_flags
 from ..cli.limits import add_options as add_limits
 from ..cli.limits import refuse_large
 from ..cli.values import BadInput, Parser, index, reader
 from ..model.camera import PAPERS, SPACING, Page
 from ..model.estimate import described
+from ..model.options.export import LINE_WIDTH
+from ..model.options.page import line_width, margin
+from ..model.options.tone import COMMON
+from ..model.picture.tone import Tone
 from ..run.camera import CameraDrawing
 from ..run.stepper import Stepper
 from ..scene.camera import camera_page
@@ -26,6 +31,11 @@ from .saved_settings import saved_settings
 
 # The time between two looks at a run, in seconds; an interruption waits for the next one.
 _PAUSE = 0.05
+_PAGE, _TONE = "page", "tone"
+_TONE_TEXT = (
+    "With --tone the lamps of the scene say how dark it is where, and the spacing is the width of "
+    "the line over that, in place of --spacing."
+)
 _SIZE = re.compile(r"(\d+(?:\.\d+)?)x(\d+(?:\.\d+)?)")
 
 
@@ -67,22 +77,16 @@ def parser() -> Parser:
         metavar="NAME|WxH",
         help=f"{', '.join(PAPERS)}, or its sides in millimetres; default: a4",
     )
+    add_flags(made, _PAGE, [margin(15.0, _PAGE), line_width(LINE_WIDTH, _PAGE)])
     add(
-        "--margin",
-        type=reader(float, least=0.0),
-        default=15.0,
-        metavar="MM",
-        help="on all sides of the page; default: 15",
-    )
-    add(
-        "--line-width",
-        type=reader(float, above=0.0),
-        default=0.3,
-        metavar="MM",
-        help="of the pen; default: 0.3",
+        "--outlines",
+        action="store_true",
+        help="draw where surfaces turn out of sight, their creases and edges as well, in layers of "
+        "their own",
     )
     add("--camera", metavar="NAME", help="default: the one of the scene")
     add("--frame", type=index, metavar="N", help="of the animation; default: as saved")
+    add_flags(made.add_argument_group(_TONE, _TONE_TEXT), _TONE, COMMON)
     add_limits(made)
     add("--quiet", action="store_true", help="print errors and warnings only")
     return made
@@ -99,6 +103,7 @@ def _draw(arguments: argparse.Namespace) -> None:
         raise BadInput("the margins leave nothing of the page; choose a smaller --margin")
     if arguments.output.suffix.lower() != ".svg":
         raise BadInput(f"--output {arguments.output} is no .svg file")
+    tone = _tone(arguments)
     if arguments.input is not None:
         _open(arguments.input)
     scene = bpy.context.scene
@@ -117,13 +122,18 @@ def _draw(arguments: argparse.Namespace) -> None:
         if not arguments.quiet:
             print(f"meander: {line}", flush=True)
 
-    if arguments.spacing is None:
+    if tone is not None:
+        arguments.spacing = 2.0 * arguments.line_width
+    elif arguments.spacing is None:
         arguments.spacing = SPACING
         say(f"the spacing on paper is {SPACING:g} mm, as in the panel; --spacing MM sets another")
     with saved_settings():
         depsgraph = bpy.context.evaluated_depsgraph_get()
         frame = camera_page(scene, depsgraph, camera, page)
-        drawing = CameraDrawing(frame, arguments.spacing, depsgraph)
+        pen = arguments.line_width
+        drawing = CameraDrawing(
+            frame, arguments.spacing, depsgraph, None, tone, pen, arguments.outlines
+        )
     size = drawing.estimate()
     expected = size.at(drawing.spacing, float(frame.sides[0]))
     if expected is not None:
@@ -136,6 +146,22 @@ def _draw(arguments: argparse.Namespace) -> None:
     say(told)
     for written in filter(None, (arguments.output, arguments.report)):
         say(f"wrote {written}")
+
+
+def _tone(arguments: argparse.Namespace) -> Tone | None:
+    """What the options say of tone; None: the spacing is the same everywhere. Raises BadInput."""
+    if arguments.tone is None:
+        for name in ("darkest", "lightest"):
+            if getattr(arguments, name) is not None:
+                raise BadInput(f"--{name} is for --tone; give both or none")
+        return None
+    if arguments.spacing is not None:
+        raise BadInput("--tone and --spacing are both given; choose one")
+    given = {name: getattr(arguments, name) for name in ("darkest", "lightest")}
+    made = Tone(arguments.tone, **{name: v for name, v in given.items() if v is not None})
+    if made.lightest >= made.darkest:
+        raise BadInput("--lightest is not less than --darkest; choose a smaller one")
+    return made
 
 
 def _open(path: Path) -> None:

@@ -22,27 +22,24 @@ from ..model.camera import CameraPage
 from ..model.empty import Empty, empty_of, percent
 from ..model.files.rows import write_pieces
 from ..model.files.whole import naming, whole_files
+from ..model.picture.tone import Tone
 from ..model.problem import Problem
 from ..model.report import write_report
 from ..model.toolpaths.drawing import Drawing
 from ..model.toolpaths.svg import page_pieces
-from ..model.toolpaths.toolpath import Strand, resampled, strand_of, strands_of
+from ..model.toolpaths.toolpath import Strand, strands_of
 from ..scene.camera import Sight, seen_by
 from ..scene.errors import DataError
 from ..scene.rendered import whatever_it_costs
-from ..scene.visible import seen_parts
 from .lasting import Activity
-from .paper import BEYOND, DrawingEstimate, PaperSpacing
+from .outlines import on_page, outlines_of
+from .paper import DrawingEstimate, PaperSpacing, beyond
+from .shading import Shading
 from .stepper import Stepper
 from .window import Window
 
-# In spacings on paper. No piece is looked at whole that is longer, and no part is drawn that is
-# shorter.
-_LONGEST, _SHORTEST = 0.25, 0.5
 # So far a point is moved towards the eye before it is asked what hides it.
 _LIFT = 0.01
-# Points are left out that change the line by less.
-_TOLERANCE = 0.01
 
 
 @dataclass
@@ -91,25 +88,38 @@ class CameraDrawing:
         spacing: float,
         depsgraph: bpy.types.Depsgraph,
         fallback: bpy.types.PropertyGroup | None = None,
+        tone: Tone | None = None,
+        pen: float = 0.0,
+        outlines: bool = False,
     ) -> None:
-        """spacing    on paper, in millimetres
+        """spacing    on paper, in millimetres; with a tone it is twice the pen
         fallback   the settings of what nobody has set up; None: those that it has
+        tone       of the light of the scene, which the drawing has then; None: one spacing
+        pen        width of the line, in millimetres, for a tone
+        outlines   draw where surfaces turn out of sight, creases and edges as well
 
-        Surfaces are drawn as a render shows them. Raises DataError where the camera sees nothing.
+        Surfaces are drawn as a render shows them. Raises DataError where the camera sees nothing,
+        and where there is no light for a tone.
         """
-        self.page, self.spacing = page, spacing
+        self._tone, self._pen = tone, pen
+        self.page, self.spacing = page, spacing if tone is None else 2.0 * pen
         self.layers: list[Layer] = []
         self._began = time.perf_counter()
         self.name = ""  # of the surface that next() has given
+        self._outlines: dict[str, list[Strand]] = {}
         with whatever_it_costs():
-            self._read(depsgraph, fallback)
+            self._read(depsgraph, fallback, outlines)
         self._count = len(self._waiting)
 
     def _read(
-        self, depsgraph: bpy.types.Depsgraph, fallback: bpy.types.PropertyGroup | None
+        self,
+        depsgraph: bpy.types.Depsgraph,
+        fallback: bpy.types.PropertyGroup | None,
+        outlines: bool,
     ) -> None:
         page, spacing = self.page, self.spacing
-        seen = seen_by(page, BEYOND * spacing, depsgraph.view_layer, depsgraph)
+        margin = beyond(spacing, self._tone is not None)
+        seen = seen_by(page, margin, depsgraph.view_layer, depsgraph)
         drawn = [each for each in seen if each.is_drawn]
         if not drawn:
             raise DataError(
@@ -117,9 +127,16 @@ class CameraDrawing:
                 "in the view and in renders"
             )
         self._sight = Sight(page, [each.mesh for each in seen], _LIFT * spacing)
-        paper = PaperSpacing(page, spacing, depsgraph, fallback)
+        shading = None
+        if self._tone is not None:
+            shading = Shading(page, self._tone, self._pen, depsgraph, self._sight)
+        paper = PaperSpacing(page, spacing, depsgraph, fallback, shading=shading)
         self._waiting = [(each.name, paper.problem_of(each)) for each in drawn]
+        if shading is not None:
+            shading.finish(spacing)
         self._closer = paper.closer
+        for each in drawn if outlines else ():
+            self._outlines[each.name] = outlines_of(each, page, self._sight, spacing)
 
     def estimate(self) -> DrawingEstimate:
         """What all that has not begun comes to; to be asked for before the first next()."""
@@ -148,17 +165,7 @@ class CameraDrawing:
             self._leave_out(str(error))
             return
         options = stepper.problem.options
-        strands = seen_parts(
-            strands_of(snapshot.polylines),
-            self._sight,
-            self.page.on_paper,
-            _LONGEST * self.spacing,
-            _SHORTEST * self.spacing,
-        )
-        drawn = resampled(
-            [_on(self.page, strand) for strand in strands],
-            tolerance=_TOLERANCE * self.spacing,
-        )
+        drawn = on_page(strands_of(snapshot.polylines), self.page, self._sight, self.spacing)
         gaps = stepper.gaps
         empty = Empty(0.0, 0.0) if gaps is None else empty_of(gaps)
         density = stepper.density if stepper.density is not None else np.ones(1)
@@ -188,7 +195,7 @@ class CameraDrawing:
 
         Raises DataError where nothing can be drawn, and FileError.
         """
-        drawn = [layer for layer in self.layers if layer.strands]
+        drawn = [each for each in self._drawn() if each[1]]
         if not drawn:
             raise DataError(
                 f"Nothing is drawn: {self._why_nothing()}; choose a smaller spacing, or go nearer "
@@ -196,7 +203,7 @@ class CameraDrawing:
             )
         version, page = core.library_version(), self.page.page
         pieces = page_pieces(
-            [(layer.name, layer.strands) for layer in drawn],
+            drawn,
             (page.width, page.height),
             line_width,
             title,
@@ -215,6 +222,15 @@ class CameraDrawing:
             f"{record['length'] / 1000.0:.3g} m"
         )
 
+    def _drawn(self) -> list[tuple[str, list[Strand]]]:
+        """Name and strands of each layer of the page."""
+        found = []
+        for layer in self.layers:
+            found.append((layer.name, layer.strands))
+            if layer.name in self._outlines:
+                found.append((f"{layer.name} Outline", self._outlines[layer.name]))
+        return found
+
     def remarks(self) -> list[str]:
         """What is left out and why, what is not filled, and what is closer, a sentence each."""
         unfilled = [layer.unfilled for layer in self.layers if layer.unfilled]
@@ -231,6 +247,7 @@ class CameraDrawing:
         page = self.page
         strands = [strand for layer in self.layers for strand in layer.strands]
         whole = Drawing(strands, "mm", True, self.spacing)
+        outlines = [strand for lines in self._outlines.values() for strand in lines]
         return {
             "version": version,
             "page": {
@@ -242,8 +259,9 @@ class CameraDrawing:
             "spacing": self.spacing,
             "line_width": line_width,
             "objects": [layer.figures for layer in self.layers],
-            "paths": len(strands),
-            "length": whole.length,
+            "paths": len(strands) + len(outlines),
+            "outlines": len(outlines),
+            "length": whole.length + sum(strand.length for strand in outlines),
             "crossings": len(whole.crossings()),
             "seconds": time.perf_counter() - self._began,
         }
@@ -255,9 +273,3 @@ class CameraDrawing:
     def _leave_out(self, sentence: str) -> None:
         figures = {"name": self.name, "left_out": sentence}
         self.layers.append(Layer(self.name, [], figures))
-
-
-def _on(page: CameraPage, strand: Strand) -> Strand:
-    """A strand on paper, at z = 0."""
-    flat = np.column_stack([page.on_paper(strand.points), np.zeros(len(strand.points))])
-    return strand_of(flat, np.tile([0.0, 0.0, 1.0], (len(flat), 1)), strand.closed)

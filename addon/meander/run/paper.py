@@ -24,23 +24,28 @@ from ..model.geometry.clipped_mesh import Triangles
 from ..model.problem import Problem, begin_along_directions
 from ..scene.alignment import alignment_of, directions_of
 from ..scene.camera import Seen
-from ..scene.density import chosen_density, density_of
+from ..scene.density import chosen_density, density_of, painted_values
 from ..scene.errors import DataError
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import triangles_of
 from ..scene.options import options_of
 from ..scene.settings import is_untouched
 from . import estimate
+from .shading import MOST_RATIO, Shading
 
-# Surfaces are filled so far beyond the frame, where strands turn round; in spacings.
-BEYOND = 3.0
+# Surfaces are filled so far beyond the frame, where strands turn round; in spacings. With a tone
+# some strands are several times as far apart.
+_BEYOND, _BEYOND_OF_TONE = 3.0, 8.0
 # What is narrower on paper, in spacings, is seen edge on.
 _EDGE = 0.1
 # The scale on paper changes by less from one end of an edge to the other: the density is linear in
 # between.
 _SCALES = 1.2
-# Densities of one surface vary by no more (meander.h).
-_MOST_RATIO = 1e4
+
+
+def beyond(spacing: float, toned: bool) -> float:
+    """By how many millimetres what is filled is larger than the frame, on all sides."""
+    return (_BEYOND_OF_TONE if toned else _BEYOND) * spacing
 
 
 @dataclass(frozen=True)
@@ -49,6 +54,8 @@ class PaperSpacing:
 
     fallback   the settings of what nobody has set up; None: those that it has
     closer     sentences about surfaces whose far end is drawn closer than that
+    shading    makes the drawing as dark as the scene; its spacing varies then. It is to be
+               finished once all problems are there
     """
 
     page: CameraPage
@@ -56,6 +63,7 @@ class PaperSpacing:
     depsgraph: bpy.types.Depsgraph
     fallback: bpy.types.PropertyGroup | None
     closer: list[str] = field(default_factory=list)
+    shading: Shading | None = None  # the tone; None: one spacing
 
     def _width(self, mesh: Triangles) -> float:
         """The area of a surface on paper over its longest side there, in millimetres."""
@@ -81,17 +89,22 @@ class PaperSpacing:
         spacing = float(np.median(self._spacing_at(seen.mesh.vertices)))
         options = core.default_options() if settings is None else options_of(settings, spacing)
         options.radius = spacing / 2.0
-        density = directions = alignment = None
+        density = directions = alignment = bright = None
         if own is not None:
             try:
                 alignment = alignment_of(own)
                 directions = directions_of(alignment, thing, self.depsgraph, options.radius)
                 choice = chosen_density(own, thing)
-                density = density_of(choice, thing, self.depsgraph, options.radius)
+                if self.shading is None:
+                    density = density_of(choice, thing, self.depsgraph, options.radius)
+                elif choice.is_tone:
+                    bright = painted_values(choice, thing, self.depsgraph, "tone")
             except DataError as error:
                 return str(error)
         options.alignment_weight = 0.0 if directions is None else alignment.weight
-        mesh = self._divided(seen, thing, density, directions)
+        mesh = self._divided(seen, thing, density if bright is None else bright, directions)
+        if bright is not None:
+            bright, mesh = mesh.values, replace(mesh, values=None)
         problem = Problem(
             mesh.vertices,
             mesh.faces.astype(np.uint32),
@@ -100,6 +113,9 @@ class PaperSpacing:
             directions=directions if mesh.lines is None else mesh.lines,
             alignment="along" if alignment is None else alignment.kind,
         )
+        if self.shading is not None:
+            self.shading.begin(options, settings)
+            self.shading.take(problem, mesh, bright)
         begin_along_directions(problem)
         return problem
 
@@ -122,8 +138,10 @@ class PaperSpacing:
         if values is not None or lines is not None:
             vertices, faces = triangles_of(thing, self.depsgraph)
             whole = Triangles(vertices, faces.astype(np.int64), values, lines)
-            mesh = whole.clipped(self.page.planes(BEYOND * self.spacing))
-        return mesh.divided(self._spacing_at, _SCALES)
+            margin = beyond(self.spacing, self.shading is not None)
+            mesh = whole.clipped(self.page.planes(margin))
+        mesh = mesh.divided(self._spacing_at, _SCALES)
+        return mesh if self.shading is None else self.shading.divided(mesh)
 
     def _density(
         self, name: str, mesh: Triangles, own: np.ndarray | FieldOn | None, spacing: float
@@ -133,7 +151,7 @@ class PaperSpacing:
         by_distance = (spacing / self._spacing_at(mesh.vertices)) ** 2
         most = by_distance.max()
         of_its_own = 1.0 if mesh.values is None else mesh.values.max() / mesh.values.min()
-        least = most * min(1.0, of_its_own / _MOST_RATIO)
+        least = most * min(1.0, of_its_own / MOST_RATIO)
         if by_distance.min() < least:
             self.closer.append(
                 f"'{name}' reaches from very near to very far away; its far end is drawn closer "

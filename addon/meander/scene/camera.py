@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
 import bpy
@@ -13,6 +13,7 @@ from mathutils.bvhtree import BVHTree
 
 from ..model.camera import CameraPage, Page
 from ..model.geometry.clipped_mesh import Triangles
+from .attributes import corner_counts, vertices_of_corners
 from .errors import DataError
 from .evaluated import surface_mesh
 from .fillable import has_faces, is_result
@@ -22,6 +23,8 @@ from .transforms import to_world
 
 # What Blender makes a mesh of.
 _WITH_FACES = frozenset({"MESH", "CURVE", "SURFACE", "FONT", "META"})
+# No ray goes farther: Blender takes single precision.
+_FARTHEST = 1e30
 _NOTHING = Triangles(np.empty((0, 3)), np.empty((0, 3), dtype=np.int64))
 
 
@@ -91,44 +94,63 @@ def seen_by(
 
     beyond   by how many millimetres the frame is larger on all sides
     """
+    planes, found = page.planes(beyond), []
     rendered = dict(_rendered(view_layer.layer_collection, False))
-    planes, found, others = page.planes(beyond), [], []
-
-    def take(name: str, mesh: Triangles, key: Key | None, owner: bpy.types.Object) -> None:
+    seen = {thing: hides for thing, hides in rendered.items() if thing.visible_camera}
+    for name, mesh, key, owner in _surfaces(seen, depsgraph):
         mesh = mesh.clipped(planes)
         if len(mesh.faces):
-            found.append(Seen(name, mesh, key, not (rendered[owner] or owner.is_holdout)))
+            found.append(Seen(name, mesh, key, not (seen[owner] or owner.is_holdout)))
+    return sorted(found, key=lambda each: each.name)
 
+
+def casting_shadows(
+    view_layer: bpy.types.ViewLayer, depsgraph: bpy.types.Depsgraph
+) -> list[Triangles]:
+    """Every surface that the scene shows and renders, in the frame or not, that keeps light from
+    others."""
+    rendered = dict(_rendered(view_layer.layer_collection, False))
+    casting = {thing: hides for thing, hides in rendered.items() if thing.visible_shadow}
+    return [mesh for _name, mesh, _key, _owner in _surfaces(casting, depsgraph)]
+
+
+def _surfaces(
+    owners: Collection[bpy.types.Object], depsgraph: bpy.types.Depsgraph
+) -> Iterator[tuple[str, Triangles, Key | None, bpy.types.Object]]:
+    """The surfaces of these objects and of the instances that they show, but for our own curves:
+    name, faces in the world, the object whose settings count, and the one of `owners`."""
+    others = []
     for instance in depsgraph.object_instances:
         shown = instance.object
         owner = instance.parent.original if instance.is_instance else shown.original
-        if shown.type not in _WITH_FACES or is_result(shown.original) or owner not in rendered:
+        if shown.type not in _WITH_FACES or is_result(shown.original) or owner not in owners:
             continue
         if not instance.is_instance and not instance.show_self:
             continue
         if instance.is_instance:
             name = f"{owner.name}: {shown.name}"
-            take(name, _triangles(shown, _array(instance.matrix_world)), None, owner)
+            yield name, _triangles(shown, _array(instance.matrix_world)), None, owner
         elif has_faces(owner) and rendering_of(owner, depsgraph.scene) is not None:
             others.append(owner)
         else:
-            take(owner.name, _triangles(shown, _array(instance.matrix_world)), Key(owner), owner)
+            mesh = _triangles(shown, _array(instance.matrix_world))
+            yield owner.name, mesh, Key(owner), owner
     # A copy as rendered is made only once nobody goes through the graph any more.
     for owner in others:
         with surface_mesh(owner, depsgraph) as (mesh, matrix):
-            take(owner.name, _triangles_of_mesh(mesh, matrix), Key(owner), owner)
-    return sorted(found, key=lambda each: each.name)
+            triangles = _triangles_of_mesh(mesh, matrix)
+        yield owner.name, triangles, Key(owner), owner
 
 
 def _rendered(
     layer: bpy.types.LayerCollection, holdout: bool
 ) -> Iterator[tuple[bpy.types.Object, bool]]:
-    """The objects that the camera would see, and whether a collection makes them holdouts."""
+    """The objects that are rendered, and whether a collection makes them holdouts."""
     if layer.exclude or layer.collection.hide_render or layer.indirect_only:
         return
     holdout = holdout or layer.holdout
     for thing in layer.collection.objects:
-        if not thing.hide_render and thing.visible_camera:
+        if not thing.hide_render:
             yield thing, holdout
     for child in layer.children:
         yield from _rendered(child, holdout)
@@ -157,7 +179,51 @@ def _triangles_of_mesh(mesh: bpy.types.Mesh, matrix: np.ndarray) -> Triangles:
     faces = corners.reshape(-1, 3).astype(np.int64)
     if np.linalg.det(matrix[:3, :3]) < 0.0:
         faces = faces[:, ::-1]
-    return Triangles(to_world(coordinates.reshape(-1, 3), matrix), faces)
+    points = to_world(coordinates.reshape(-1, 3), matrix)
+    return Triangles(points, faces, normals=_smooth_normals(mesh, matrix))
+
+
+def _smooth_normals(mesh: bpy.types.Mesh, matrix: np.ndarray) -> np.ndarray | None:
+    """The normals of vertices all whose faces are shaded smooth, and 0 at others; None: of none."""
+    smooth = np.empty(len(mesh.polygons), dtype=bool)
+    mesh.polygons.foreach_get("use_smooth", smooth)
+    if not smooth.any() or getattr(mesh, "use_auto_smooth", False):  # by angles, of Blender 3.4
+        return None
+    normals = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+    mesh.vertices.foreach_get("normal", normals)
+    found = normals.reshape(-1, 3).astype(np.float64) @ np.linalg.inv(matrix[:3, :3])
+    sharp = np.empty(len(mesh.edges), dtype=bool)
+    mesh.edges.foreach_get("use_edge_sharp", sharp)
+    ends = np.empty(2 * len(mesh.edges), dtype=np.int32)
+    mesh.edges.foreach_get("vertices", ends)
+    found[ends.reshape(-1, 2)[sharp].ravel()] = 0.0
+    found[vertices_of_corners(mesh)[np.repeat(~smooth, corner_counts(mesh))]] = 0.0
+    return found
+
+
+class Rays:
+    """Tells what is in the way between places of a scene."""
+
+    def __init__(self, meshes: list[Triangles]) -> None:
+        vertices = np.vstack([mesh.vertices for mesh in meshes])
+        firsts = np.cumsum([0] + [len(mesh.vertices) for mesh in meshes])
+        faces = np.vstack([mesh.faces + first for mesh, first in zip(meshes, firsts)])
+        self._middle = vertices.mean(axis=0)  # the tree rounds to single precision
+        self._tree = BVHTree.FromPolygons((vertices - self._middle).tolist(), faces.tolist())
+
+    def reach(self, starts: np.ndarray, directions: np.ndarray, far: np.ndarray) -> np.ndarray:
+        """Which points (n, 3) have nothing before them in directions (n, 3) for so far (n,)."""
+        cast = self._tree.ray_cast
+        far = np.minimum(far, _FARTHEST)
+        return np.array(
+            [
+                cast(start, Vector(direction), distance)[0] is None
+                for start, direction, distance in zip(
+                    (starts - self._middle).tolist(), directions.tolist(), far.tolist()
+                )
+            ],
+            dtype=bool,
+        )
 
 
 class Sight:
@@ -167,26 +233,15 @@ class Sight:
         """lift   in millimetres of paper: so far towards the eye a point is moved before it is
         asked what hides it, or rounding would let it hide itself
         """
-        self._page, self._lift = page, lift
-        vertices = np.vstack([mesh.vertices for mesh in meshes])
-        firsts = np.cumsum([0] + [len(mesh.vertices) for mesh in meshes])
-        faces = np.vstack([mesh.faces + first for mesh, first in zip(meshes, firsts)])
-        self._middle = vertices.mean(axis=0)  # the tree rounds to single precision
-        self._tree = BVHTree.FromPolygons((vertices - self._middle).tolist(), faces.tolist())
+        self._page, self._lift, self._rays = page, lift, Rays(meshes)
 
     def __call__(self, points: np.ndarray) -> np.ndarray:
         seen = self._page.inside(points)
         places = points[seen]
         directions, before = self._page.towards_eye(places)
         lift = self._lift / self._page.millimetres(places)
-        starts = places - self._middle + lift[:, None] * directions
-        cast = self._tree.ray_cast
-        seen[seen] = [
-            cast(start, Vector(direction), distance)[0] is None
-            for start, direction, distance in zip(
-                starts.tolist(), directions.tolist(), (before - lift).clip(min=0.0).tolist()
-            )
-        ]
+        starts = places + lift[:, None] * directions
+        seen[seen] = self._rays.reach(starts, directions, (before - lift).clip(min=0.0))
         return seen
 
 

@@ -12,6 +12,9 @@ from .. import core
 from ..model.camera import PAPERS, SPACING, CameraPage, Page
 from ..model.estimate import Estimate, described
 from ..model.files.whole import FileError
+from ..model.options import tone
+from ..model.options.option import as_typed
+from ..model.picture.tone import Tone
 from ..run.camera import CameraDrawing, Going
 from ..run.camera import going as going_on
 from ..run.lasting import why_busy
@@ -22,6 +25,7 @@ from ..scene.camera import camera_page
 from ..scene.errors import DataError
 from ..scene.linked_settings import settings_of
 from ..scene.settings import surface_of
+from .declared import share_of
 from .file_names import file_named
 from .fill import draw_question
 from .preferences import is_large
@@ -51,6 +55,25 @@ class PageSettings:
         min=0.05,
         soft_min=0.3,
         soft_max=20.0,
+    )
+    use_tone: BoolProperty(
+        name="Tone of the Lamps",
+        description="Draw as dark as the lamps of the scene make it: strands are as far apart as "
+        "the line is wide over how dark it is, and Spacing does not count",
+        default=False,
+    )
+    tone_kind: EnumProperty(
+        name=tone.KIND.label,
+        description=tone.KIND.tip,
+        items=tuple((name.upper(), label, tip) for name, label, tip in tone.KIND.choices),
+    )
+    darkest: FloatProperty(**share_of(tone.DARKEST))
+    lightest: FloatProperty(**share_of(tone.LIGHTEST))
+    use_outlines: BoolProperty(
+        name="Outlines",
+        description="Draw where surfaces turn out of sight, their creases and edges as well, in "
+        "layers of their own",
+        default=False,
     )
     paper: EnumProperty(
         name="Paper",
@@ -127,8 +150,15 @@ class MEANDER_OT_draw_camera(PageSettings, bpy.types.Operator):
         layout = self.layout
         layout.use_property_split = True
         layout.use_property_decorate = False
-        for name in ("spacing", "paper"):
-            layout.prop(self, name)
+        row = layout.row()
+        row.active = not self.use_tone
+        row.prop(self, "spacing")
+        layout.prop(self, "use_tone")
+        if self.use_tone:
+            for name in ("tone_kind", "darkest", "lightest"):
+                layout.prop(self, name)
+        layout.prop(self, "use_outlines")
+        layout.prop(self, "paper")
         if self.paper == "CUSTOM":
             column = layout.column(align=True)
             column.prop(self, "width")
@@ -143,7 +173,7 @@ class MEANDER_OT_draw_camera(PageSettings, bpy.types.Operator):
 
     def _expected(self, context: bpy.types.Context) -> Estimate | None:
         """What the page that is chosen comes to; None while that is not known."""
-        if self._size is None:
+        if self._size is None or self.use_tone:
             return None
         try:
             return self._size.at(self.spacing, float(self._frame(context).sides[0]))
@@ -197,7 +227,21 @@ class MEANDER_OT_draw_camera(PageSettings, bpy.types.Operator):
         active = context.active_object
         fallback = settings_of(active) if active and surface_of(active) == active else None
         depsgraph = context.evaluated_depsgraph_get()
-        return CameraDrawing(self._frame(context), self.spacing, depsgraph, fallback)
+        return CameraDrawing(
+            self._frame(context),
+            self.spacing,
+            depsgraph,
+            fallback,
+            self._tone(),
+            self.line_width,
+            self.use_outlines,
+        )
+
+    def _tone(self) -> Tone | None:
+        if not self.use_tone:
+            return None
+        darkest, lightest = as_typed(self.darkest), as_typed(self.lightest)
+        return Tone(self.tone_kind.lower(), darkest, min(lightest, 0.9 * darkest))
 
     def _write(self, context: bpy.types.Context, drawing: CameraDrawing) -> None:
         path = Path(self.filepath).with_suffix(".svg")

@@ -89,6 +89,19 @@ def _property(option: Option, update: Callable | None) -> Any:
     return kind(**{name: value for name, value in given.items() if value is not None})
 
 
+def share_of(option: Option) -> dict[str, Any]:
+    """What an operator's own property of a share is declared with."""
+    return {
+        "name": option.label,
+        "description": option.tip,
+        "default": option.default,
+        "min": option.least,
+        "max": option.greatest,
+        "precision": option.digits,
+        "subtype": "FACTOR",
+    }
+
+
 def switch(
     layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup, setting: str, text: str = ""
 ) -> None:

@@ -25,12 +25,14 @@ class Triangles:
     faces      (m, 3) int64
     values     (n,), linear along edges; None: there are none
     lines      (n, 3), directions without a sign; None: there are none
+    normals    (n, 3), of what is shaded smooth, not of unit length; 0 elsewhere; None: unknown
     """
 
     vertices: NDArray[np.float64]
     faces: NDArray[np.int64]
     values: NDArray[np.float64] | None = None
     lines: NDArray[np.float64] | None = None
+    normals: NDArray[np.float64] | None = None
 
     def clipped(self, planes: NDArray[np.float64]) -> Triangles:
         """What lies inside of all planes (k, 4), where plane @ (x, y, z, 1) >= 0."""
@@ -49,11 +51,25 @@ class Triangles:
         size   of points (n, 3), positive
         most   greater than 1
         """
+
+        def too_long(points: NDArray[np.float64], edges: NDArray[np.int64]) -> NDArray[np.bool_]:
+            sizes = size(points)[edges]
+            return sizes.max(axis=1) > most * sizes.min(axis=1)
+
+        return self.halved(too_long)
+
+    def halved(
+        self,
+        too_long: Callable[[NDArray[np.float64], NDArray[np.int64]], NDArray[np.bool_]],
+    ) -> Triangles:
+        """The same surface with edges halved until none is too long.
+
+        too_long   of points (n, 3) and edges (e, 2) between them, (e,)
+        """
         found = self
         while True:
-            edges, owners = found._edges()
-            sizes = size(found.vertices)[edges]
-            marked = sizes.max(axis=1) > most * sizes.min(axis=1)
+            edges, owners = found.edges()
+            marked = too_long(found.vertices, edges)
             if not marked.any():
                 return found
             middles = np.full(len(edges), -1, dtype=np.int64)
@@ -69,7 +85,7 @@ class Triangles:
         inside, outside = ((side[self.faces] == sign).sum(axis=1) for sign in (1, -1))
         if not outside.any():
             return self
-        edges, owners = self._edges()
+        edges, owners = self.edges()
         cut = side[edges[:, 0]] * side[edges[:, 1]] < 0
         places = np.full(len(edges), -1, dtype=np.int64)
         places[cut] = len(self.vertices) + np.arange(np.count_nonzero(cut))
@@ -101,7 +117,7 @@ class Triangles:
         share = ends[:, 0] / (ends[:, 0] - ends[:, 1])
         return replace(self._with_vertices(edges[cut], share), faces=np.vstack(pieces))
 
-    def _edges(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    def edges(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """The ends of every edge, (e, 2), and which edges each face has, (m, 3): from its corner 0
         to 1, 1 to 2, and 2 to 0."""
         pairs = np.stack([self.faces, np.roll(self.faces, -1, axis=1)], axis=2).reshape(-1, 2)
@@ -125,7 +141,8 @@ class Triangles:
         if lines is not None:
             turned = np.einsum("ij,ij->i", lines[first], lines[second]) < 0.0
             lines = between(lines, np.where(turned[:, None], -lines[second], lines[second]))
-        return replace(self, vertices=vertices, values=values, lines=lines)
+        normals = None if self.normals is None else between(self.normals, self.normals[second])
+        return replace(self, vertices=vertices, values=values, lines=lines, normals=normals)
 
     def _compact(self) -> Triangles:
         """Without vertices that no face has."""
@@ -135,6 +152,7 @@ class Triangles:
             faces.reshape(-1, 3),
             None if self.values is None else self.values[used],
             None if self.lines is None else self.lines[used],
+            None if self.normals is None else self.normals[used],
         )
 
 
