@@ -136,10 +136,12 @@ TEST(FullStart, IsTheSameForAnyNumberOfThreadsAndAtAnyScale) {
   }
 }
 
-/// A square of one and a half spacings, in which no line has room: there the flow is the one that grows.
+/// Grains of a twentieth of a spacing, in which no line has room: there the flow is the one that grows.
 TEST(FullStart, GrowsWhereNoneCanBeLaid) {
-  const double spacing = 0.68;
-  const auto surface = std::make_shared<const Surface>(make_surface(flat_grid(24)));
+  const double spacing = 1;
+  Mesh grains = scaled(octahedron(), 0.025);
+  for (int k = 0; k < 10; ++k) grains = joined(grains, grains, std::ldexp(0.5, k));
+  const auto surface = std::make_shared<const Surface>(make_surface(grains));
   Flow full = flow_of(surface, spacing);
   meander_flow_options options = options_of(spacing);
   options.threads = 1;

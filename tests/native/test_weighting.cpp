@@ -263,6 +263,7 @@ TEST(Weighting, OfAFieldNeedsOneAndAWeight) {
           Scene s;
           s.add_circle(4);
           s.settings.polish = polish;
+          s.settings.full_start = true;
           s.settings.alignment_weight = weight;
           if (has_field) s.set_field(false);
           const Weights w = s.weights(phase);
@@ -287,7 +288,7 @@ TEST(Weighting, OfAFieldNeedsOneAndAWeight) {
 }
 
 /// A turn at the end of a row weighs a quarter of what lies along the field, and everything between lies between; in
-/// the polish, along lines that are equally far apart, far less.
+/// the polish of a full start, along lines that are equally far apart, far less.
 TEST(Weighting, WhatLiesAcrossTheFieldHardlyWeighs) {
   Scene s;
   s.add_strand({{0, 0}, {1, 0}, {1, 1}, {2, 2}, {3, 2}}, false);
@@ -297,6 +298,9 @@ TEST(Weighting, WhatLiesAcrossTheFieldHardlyWeighs) {
   const double growing[] = {2, 0.5, 2 / 2.25, 2, 2};
   const Weights first = s.weights(Phase::kGrowing);
   for (uint32_t i = 0; i < 5; ++i) EXPECT_NEAR(first.alignment[i], growing[i], kRounding) << i;
+  const Weights grown = s.weights(Phase::kPolishing);
+  for (uint32_t i = 0; i < 5; ++i) EXPECT_NEAR(grown.alignment[i], growing[i], kRounding) << i;
+  s.settings.full_start = true;
   const double polished[] = {100, 0.04 / (1.02 * 1.02), 0.04 / (0.52 * 0.52), 100, 100};
   const Weights then = s.weights(Phase::kPolishing);
   for (uint32_t i = 0; i < 5; ++i) EXPECT_NEAR(then.alignment[i], polished[i], 100 * kRounding) << i;
@@ -310,6 +314,7 @@ TEST(Weighting, LinesThatSpreadHoldRowsLess) {
     s.add_strand({{0, 0}, {1, 0}, {2, 0}, {3, 0}}, false);
     s.settings.polish = true;
     s.settings.alignment_weight = 2;
+    s.settings.full_start = true;
     const Vec3 middle = position(*s.surface, s.curve.nodes[0]);
     VertexData<Vec3> lines(s.surface->vertex_count(), Vec3(0, 0, 0));
     for (uint32_t v = 0; v < s.surface->vertex_count(); ++v) {

@@ -61,11 +61,12 @@ double spreading(const Weighting& w, uint32_t i) {
 }
 
 /// The squared sine at which what lies across counts less. Where lines are equally far apart all along, as on a plane
-/// or in rings round what was turned, rows can be as straight as the lines, and in the polish are held so: deviations
-/// from 8 degrees on are hairpins. Where lines spread by kSpreading, rows of one distance have to leave them.
+/// or in rings round what was turned, rows can be as straight as the lines, and in the polish of a full start are held
+/// so: deviations from 8 degrees on are hairpins. Where lines spread by kSpreading, rows of one distance have to leave
+/// them. Grown rows have turns all over, and held so they cannot shift to the spacing.
 double scale_of_deviation(const Weighting& w, uint32_t i) {
   constexpr double kParallel = 0.02, kSpreading = 0.02;
-  if (!w.plan.polishing) return 1;
+  if (!w.plan.polishing || !w.settings().full_start) return 1;
   const double spread = spreading(w, i) / kSpreading;
   return std::min(1.0, kParallel + spread * spread);
 }
@@ -85,12 +86,10 @@ void align(const Weighting& w) {
   w.pool.for_blocks(w.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
       w.weights.field[i] = w.state.domain.directions.at(w.state.curve.nodes[i]);
-      double weight = w.settings().alignment_weight;
-      if (w.settings().polish) {
-        const double scale = scale_of_deviation(w, i), sum = scale + square_across_field(w, i);
-        weight *= scale / (sum * sum);
-      }
-      w.weights.alignment[i] = weight;
+      const double weight = w.settings().alignment_weight;
+      const double scale = w.settings().polish ? scale_of_deviation(w, i) : 1;
+      const double robust = w.settings().polish ? scale / (scale + square_across_field(w, i)) : 1;
+      w.weights.alignment[i] = robust * robust * weight / scale;
     }
   });
 }
