@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .core import CutSurface, Flow, Seed, library_version, unknown_name
+from .model import before_writing, export
 from .model import cut as cut_files
-from .model import export, export_checks
 from .model.files import meshes
 from .model.files.obj import read_obj_curve, write_obj_curve
 from .model.files.whole import FileError, whole_file
@@ -98,7 +98,7 @@ def write_curve(
         return
     spacing = float(flow.statistics()["spacing_target"])
     drawn = export.prepared(strands, kind, values, metres=1.0, spacing=spacing)
-    problem = export_checks.unusable(drawn, kind, values)
+    problem = before_writing.unusable(drawn, kind, values)
     if problem is not None:
         way = "choose another layout" if problem.edge else "choose a size or scale"
         raise FileError(f"the drawing {problem.what}; {way}, or force=True")

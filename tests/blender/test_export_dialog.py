@@ -8,7 +8,7 @@ from types import FunctionType, SimpleNamespace
 import bpy
 import numpy as np
 import pytest
-from meander.model import export_checks as model
+from meander.model import before_writing as model
 from meander.ui import export
 from panel_layout import Layout
 from scenes import activate, fill, sphere

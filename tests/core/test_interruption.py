@@ -126,7 +126,7 @@ import os, signal, threading, time
 import numpy as np
 import geometry
 from meander import core
-from meander.binding import calls, files, flow_run as flows
+from meander.binding import calls, files, runs as flows
 from meander.model import opening, problem
 
 armed, ended = [], []

@@ -17,7 +17,7 @@ import pytest
 from conftest import PACKAGE
 from meander import core
 from meander.binding import calls, native_library
-from meander.binding import flow_run as flow_module
+from meander.binding import runs as flow_module
 from sentences import assert_sentence
 
 # A machine under load may let a thread wait this long before a test calls it stuck.

@@ -12,7 +12,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import core
-from meander.model import map_files, maps
+from meander.model import image_files, maps
 from meander.model.files.exr import exr
 from meander.model.maps import Mapped, Style, Tile
 
@@ -154,7 +154,7 @@ def test_images_are_cancelled(sheet: Mapped, tmp_path: Path) -> None:
     with core.Context() as context:
         context.cancel()
         with pytest.raises(core.MeanderError) as refused:
-            map_files.images(sheet, tmp_path / "out.png", ["mask"], Style(SIZE, 0), context)
+            image_files.images(sheet, tmp_path / "out.png", ["mask"], Style(SIZE, 0), context)
     assert refused.value.status == core.Status.CANCELLED
 
 
@@ -236,12 +236,12 @@ def test_tiles_are_counted_as_udim_counts() -> None:
     mapped = Mapped(None, corners + np.array([[[0, 0]], [[1, 0]], [[0, 1]]]), 1.0)
     assert mapped.tiles() == [(0, 0), (0, 1), (1, 0)]
     path = Path("folder/line.png")
-    assert map_files.file_of(path, "mask", (0, 0), False) == Path("folder/line_mask.png")
-    assert map_files.file_of(path, "mask", (1, 2), True) == Path("folder/line_mask.1022.png")
-    assert map_files.problem_of_tiles(mapped.tiles()) is None
+    assert image_files.file_of(path, "mask", (0, 0), False) == Path("folder/line_mask.png")
+    assert image_files.file_of(path, "mask", (1, 2), True) == Path("folder/line_mask.1022.png")
+    assert image_files.problem_of_tiles(mapped.tiles()) is None
     many = [(0, k) for k in range(101)]
     for wrong, word in (([], "no area"), ([(-1, 0)], "UDIM"), (many, "101")):
-        assert word in map_files.problem_of_tiles(wrong)
+        assert word in image_files.problem_of_tiles(wrong)
 
 
 def test_tiles_that_lie_beside_each_other_share_the_image(sheet: Mapped) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from meander import core
 from meander.model.maze import Doors, Maze, NoMaze
-from meander.model.maze_walls import bar_pieces, wall, wall_pieces
+from meander.model.walls import bar_pieces, wall, wall_pieces
 
 SPACING, WIDTH, DOOR = 0.1, 0.02, 0.1
 DISC_SPACING = 0.12

@@ -23,9 +23,9 @@ from .choices import STOP_REASONS
 from .context import Context, pointer_of
 from .curve import Gaps, Nodes, PointData, Polylines, polylines_of
 from .flow_options import FlowOptions, options_record
-from .flow_run import FlowRun
 from .handle import address_of, checked_array
 from .native_library import native
+from .runs import FlowRun
 
 
 class Flow(FlowRun):

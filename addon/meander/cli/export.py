@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from ..model import export, export_checks
+from ..model import before_writing, export
 from ..model.options.export import GROUP, ROWS
 from ..model.toolpaths import embroidery, ros, toolpath, usd
 from ..model.toolpaths.drawing import UNITS, Drawing, axes_of, seen_along
@@ -184,12 +184,12 @@ def _refuse_unusable(
 
     strands   in space, as they were before they were laid
     """
-    problem = export_checks.unusable(drawing, kind, _values(arguments))
+    problem = before_writing.unusable(drawing, kind, _values(arguments))
     if problem is None:
         return
     of_file = given.surface_object is None
     if problem.edge:
-        better = export_checks.better_layout(strands)
+        better = before_writing.better_layout(strands)
         ways = f"choose --layout {better}"
         if of_file:
             up = "z" if arguments.input_up == "y" else "y"
@@ -237,7 +237,7 @@ def write(
     short = len(strands) - len(drawing.strands)
     if short and order.go_on is None:
         place.warn(f"{short} strands are shorter than a stitch and are left out")
-    warning = export_checks.crossing_warning(drawing, kind, values)
+    warning = before_writing.crossing_warning(drawing, kind, values)
     if warning:
         place.warn(warning)
     places = drawing.crossings()

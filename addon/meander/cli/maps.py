@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import map_files, maps
+from ..model import image_files, maps
 from .input import Input
 from .place import Place
 from .values import BadInput, file_name, one_of_several, reader
@@ -86,7 +86,7 @@ def refuse_inputs(arguments: argparse.Namespace, given: Input, place: Place) -> 
     names += [of_angle.angle_name] * (of_angle.angle_source == "IMAGE")
     for name in names:
         path = place.blender("--maps").image_file(name)
-        if path is not None and map_files.is_of(arguments.maps, path):
+        if path is not None and image_files.is_of(arguments.maps, path):
             raise BadInput(
                 f"--maps {arguments.maps} would overwrite {path}, from which this run is made; "
                 "choose another name"
@@ -108,12 +108,12 @@ def images_of(
     mapped = maps.Mapped.of(cut, corners, arguments.spacing)
     try:
         kinds, style = arguments.map_kinds or maps.KINDS, _style(arguments)
-        images, overlap = map_files.images(
+        images, overlap = image_files.images(
             mapped, arguments.maps, kinds, style, progress=_saying(place)
         )
     except maps.NoPlace as problem:
         raise BadInput(f"--maps is not possible here: the UV map {problem}") from problem
-    warning = map_files.overlap_warning(overlap)
+    warning = image_files.overlap_warning(overlap)
     if warning:
         place.warn(warning)
     return images

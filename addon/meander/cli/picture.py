@@ -15,10 +15,10 @@ from .. import core
 from ..model.picture import line, strip
 from ..model.picture.image import Image, is_there, read_image
 from . import limits, standard, watching
-from .picture_files import record_of, write_drawings
-from .picture_options import check, parser, wishes_of
+from .drawn_files import record_of, write_drawings
 from .place import Place
 from .values import BadInput
+from .wishes import check, parser, wishes_of
 
 # What names the command among those of the batch command.
 OPTIONS = ("--picture", "--test-strip")

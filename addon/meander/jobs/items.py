@@ -18,7 +18,7 @@ from typing import Any
 
 from ..cli.arguments import files_read
 from ..model.files.whole import why_no_file
-from ..model.map_files import is_of
+from ..model.image_files import is_of
 from . import job_file, options
 from .job_file import JobError, JobFile, texts
 from .objects import Meshes

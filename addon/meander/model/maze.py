@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from .. import core
 from .cut import is_parted
-from .maze_inlets import Inlet, find_inlets
-from .maze_ways import Graph, common, way_to, ways
+from .edge_ways import Graph, common, way_to, ways
+from .inlets import Inlet, find_inlets
 
 # In spacings: a door to the outside is no farther from the boundary of the surface than this. Of a
 # way, how much dearer it is close to a wall than in the middle of a corridor.

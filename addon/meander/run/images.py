@@ -11,7 +11,7 @@ from pathlib import Path
 
 import bpy
 
-from ..model import map_files, maps
+from ..model import image_files, maps
 from ..scene import image_material, look
 from ..scene.drawn_line import digest_of_curve
 from ..scene.errors import DataError
@@ -54,7 +54,7 @@ def images_of(
     style = replace(style, ramp=look.ramp_colours(result))
     mapped = maps.Mapped.of(cut.cut, corners, cut.plan.spacing)
     try:
-        files, overlap = map_files.images(mapped, path, kinds, style, progress=progress)
+        files, overlap = image_files.images(mapped, path, kinds, style, progress=progress)
     except maps.NoPlace as problem:
         raise DataError(f"The UV map of '{surface.name}' {problem}") from problem
     return Images(files, overlap, cut.plan)

@@ -12,8 +12,8 @@ import numpy as np
 
 from .. import core
 from ..model.maze import Doors
-from ..model.maze_walls import bar_pieces, wall, wall_pieces
 from ..model.toolpaths.toolpath import resampled_by_tolerance, strand_of
+from ..model.walls import bar_pieces, wall, wall_pieces
 from .blender_versions import keep_custom_normals
 from .curve_writer import new_curve_object, place_beside, write_splines
 from .transforms import to_local

@@ -10,7 +10,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
 from .. import core
-from ..model import export, export_checks
+from ..model import before_writing, export
 from ..model.files.whole import FileError
 from ..model.geometry import surface_crossings
 from ..model.toolpaths import embroidery, ros, toolpath, usd
@@ -249,7 +249,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
         else:
             drawing = self._write_drawing(path, kind, context)
             text = drawing.described()
-            warning = export_checks.crossing_warning(drawing, kind, self.option_values())
+            warning = before_writing.crossing_warning(drawing, kind, self.option_values())
         becomes = f"{given.name} becomes " if given.suffix not in ("", path.suffix) else ""
         self.report({"INFO"}, f"{becomes}{path.name}: {text}")
         if warning:
@@ -266,7 +266,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
             self.size = 0.0
             sides = self._sides(context) if on_page else None
             if sides is not None:
-                self.size = round(export_checks.size_on_page(sides, page_size(), _MARGIN), 1)
+                self.size = round(before_writing.size_on_page(sides, page_size(), _MARGIN), 1)
                 if self.unit == "in":
                     self.size = round(self.size / 25.4, 3)
             self._by_page = self.size
@@ -285,7 +285,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
         except (DataError, core.MeanderError, FileError) as error:
             self._is_refused = True
             return sentence_of(error)
-        problem = export_checks.unusable(drawing, kind, values)
+        problem = before_writing.unusable(drawing, kind, values)
         self._is_refused = problem is not None
         return drawing.size_text() if problem is None else sentence_of(problem.what)
 
@@ -348,7 +348,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
             strands, kind, values, metres_of(context.scene), spacing,
             frames=frames, rate=render.fps / render.fps_base,
         )  # fmt: skip
-        problem = export_checks.unusable(drawing, kind, values)
+        problem = before_writing.unusable(drawing, kind, values)
         if problem is not None:
             way = "choose another Layout" if problem.edge else "choose a Size or Scale"
             raise FileError(f"The drawing {problem.what}; {way}, or Write Anyway")

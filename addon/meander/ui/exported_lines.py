@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model import export, export_checks
+from ..model import before_writing, export
 from ..model.files.whole import FileError
 from ..model.options.export import ROWS
 from ..model.toolpaths import toolpath
@@ -96,7 +96,7 @@ class ExportedLines(ExportOptions):
             found = not (self.visible_only or several) and has_map(surface, depsgraph)
         except DataError:  # which writing reports
             return "SPACE"
-        return export_checks.layout_by_shape(*triangles, strands, found).upper()
+        return before_writing.layout_by_shape(*triangles, strands, found).upper()
 
     def _sides(self, context: bpy.types.Context) -> np.ndarray | None:
         """Width and height of a flat drawing; None where there is none, or no page for it."""

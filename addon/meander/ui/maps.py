@@ -8,7 +8,7 @@ from pathlib import Path
 import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 
-from ..model import map_files, maps
+from ..model import image_files, maps
 from ..model.files.whole import naming, whole_files
 from ..run.images import images_of
 from ..scene.errors import DataError
@@ -148,7 +148,7 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
             for image, (place, data) in zip(temporary, images.items(), strict=True):
                 with naming(place):
                     image.write_bytes(data)
-        warning = map_files.overlap_warning(found.overlap)
+        warning = image_files.overlap_warning(found.overlap)
         if warning:
             self.report({"WARNING"}, sentence_of(warning))
         files = "1 image" if len(images) == 1 else f"{len(images)} images"

@@ -8,7 +8,7 @@ import math
 import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty
 
-from ..model import map_files, maps
+from ..model import image_files, maps
 from ..run.images import make_material
 from ..scene.errors import DataError
 from ..scene.image_material import map_name
@@ -70,7 +70,7 @@ class MEANDER_OT_make_material(OnOwnResult, bpy.types.Operator):
                 result.hide_set(True)
         if context.view_layer.objects.get(surface.name) == surface:
             context.view_layer.objects.active = surface
-        warning = map_files.overlap_warning(overlap)
+        warning = image_files.overlap_warning(overlap)
         if warning:
             self.report({"WARNING"}, sentence_of(warning))
         how = ", unwrapped for it" if unwrapped else ""

@@ -9,7 +9,7 @@ from __future__ import annotations
 from ..toolpaths.embroidery import LEAST_STITCH, LONGEST_STITCH
 from ..toolpaths.lights import PITCH
 from ..toolpaths.ros import MESSAGES
-from .export_machines import GROUP, MACHINE_ROWS, PANEL
+from .machines import GROUP, MACHINE_ROWS, PANEL
 from .option import Flag, Option
 
 STITCH_LENGTH = 2.5

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from .flow_shape import SHAPE_ROWS
 from .option import OF_PRESET, Flag, Option
 from .presets import PRESETS
+from .shape import SHAPE_ROWS
 
 _MAIN, _ADVANCED, _REGION = "Meander", "Advanced", "Region"
 _PREFERENCES = "Preferences"

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .maze_ways import Graph, ways
+from .edge_ways import Graph, ways
 
 # In spacings: the outer wall is no farther from the boundary than its nearest places and this much.
 _OUTER = 0.4

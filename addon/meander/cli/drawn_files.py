@@ -19,7 +19,7 @@ from ..model.picture.image import Image
 from ..model.picture.page import curve_of, pieces_of_page
 from ..model.report import write_report
 from . import standard
-from .picture_options import PREVIEWS, file_values, in_one_file, of_ink
+from .wishes import PREVIEWS, file_values, in_one_file, of_ink
 
 _PREVIEW_SIZE = 2000
 
