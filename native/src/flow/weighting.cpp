@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "curve/curvature.h"
 #include "curve/hairpins.h"
 #include "flow/clamped_nodes.h"
 #include "flow/constants.h"
-#include "geodesic/geodesic_trace.h"
 #include "model/smoothed_spacing.h"
 
 namespace meander {
@@ -41,42 +39,12 @@ double square_across_field(const Weighting& w, uint32_t i) {
   return square > 0 ? std::clamp(1 - along * along / square, 0.0, 1.0) : 0;
 }
 
-/// How fast the lines of the field come nearer to one another or part at node i: the sine by which they turn over a
-/// length of r across them, to the side where that is more; infinite where there is no direction.
-double spreading(const Weighting& w, uint32_t i) {
-  constexpr double kUnknown = std::numeric_limits<double>::infinity();
-  const Domain& domain = w.state.domain;
-  const Vec2 across = Vec2{0, w.state.metric.radius[i]} * unit(w.weights.field[i]);
-  if (!(norm(across) > 0)) return kUnknown;
-  double most = 0;
-  for (const double side : {1.0, -1.0}) {
-    GeodesicWalk walk(*domain.surface, w.state.curve.nodes[i], side * across);
-    while (walk.step()) {
-    }
-    const Vec2 there = unit(domain.directions.at(walk.end()));
-    if (!(norm(there) > 0)) return kUnknown;
-    most = std::max(most, std::abs(dot(there, walk.direction())));
-  }
-  return most;
-}
-
-/// The squared sine at which what lies across counts less. Where lines are equally far apart all along, as on a plane
-/// or in rings round what was turned, rows can be as straight as the lines, and in the polish of a full start are held
-/// so: deviations from 8 degrees on are hairpins. Where lines spread by kSpreading, rows of one distance have to leave
-/// them. Grown rows have turns all over, and held so they cannot shift to the spacing.
-double scale_of_deviation(const Weighting& w, uint32_t i) {
-  constexpr double kParallel = 0.02, kSpreading = 0.02;
-  if (!w.plan.polishing || !w.settings().full_start) return 1;
-  const double spread = spreading(w, i) / kSpreading;
-  return std::min(1.0, kParallel + spread * spread);
-}
-
 /// The field at the nodes, and how much it weighs there (eq. 11).
 ///
 /// Rows end in hairpins, and no weight changes that: pulled along the field, a tip only draws the strands beside it
-/// together. So what lies across counts by the robust error of Geman and McClure, s^2 / (c + s^2) in place of s^2 for
-/// the sine s and its scale c; its weight, the derivative by s^2, falls to a quarter at a right angle where c is 1.
-/// Without a polish the term is eq. 11 as it stands.
+/// together. So what lies across counts by the robust error of Geman and McClure, s^2 / (1 + s^2) in place of s^2 for
+/// the sine s; its weight, the derivative by s^2, falls to a quarter at a right angle. Without a polish the term is
+/// eq. 11 as it stands.
 void align(const Weighting& w) {
   w.weights.alignment.clear();
   w.weights.field.clear();
@@ -86,10 +54,8 @@ void align(const Weighting& w) {
   w.pool.for_blocks(w.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
       w.weights.field[i] = w.state.domain.directions.at(w.state.curve.nodes[i]);
-      const double weight = w.settings().alignment_weight;
-      const double scale = w.settings().polish ? scale_of_deviation(w, i) : 1;
-      const double robust = w.settings().polish ? scale / (scale + square_across_field(w, i)) : 1;
-      w.weights.alignment[i] = robust * robust * weight / scale;
+      const double robust = w.settings().polish ? 1 / (1 + square_across_field(w, i)) : 1;
+      w.weights.alignment[i] = robust * robust * w.settings().alignment_weight;
     }
   });
 }
