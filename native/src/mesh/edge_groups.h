@@ -39,44 +39,35 @@ class EdgeGroups {
   struct HalfOfEdge {
     uint32_t high;  ///< its other end
     uint32_t half_edge;
+
+    uint64_t order() const { return uint64_t{high} << 32 | half_edge; }
   };
 
   /// Those of faces.
   EdgeGroups(std::span<const Triangle> faces, size_t vertex_count, ThreadPool& pool)
-      : EdgeGroups(3 * faces.size(), vertex_count, [&](uint32_t e) { return edge(faces, e); }, pool) {}
+      : sides_(3 * faces.size()), end_(vertex_count + 1, 0) {
+    group(
+        [faces](size_t begin, size_t end, const auto& visit) {
+          auto side = static_cast<uint32_t>(begin);
+          for (const Triangle& face : faces.subspan(begin / 3, (end - begin) / 3)) {
+            for (size_t k = 0; k < 3; ++k) visit(side++, face[k], face[k == 2 ? 0 : k + 1]);
+          }
+        },
+        pool);
+  }
 
   /// Those of which `ends(i)` is the VertexPair, i < count.
   template <class Ends>
   EdgeGroups(size_t count, size_t vertex_count, const Ends& ends, ThreadPool& pool)
       : sides_(count), end_(vertex_count + 1, 0) {
-    // A counting sort: in the second pass `end_` is where the next side of a vertex goes. Every thread reads all
-    // half-edges and handles some of the vertices, so that the sides of a vertex come in their order whatever the
-    // number of threads. With more than a few threads reading would dominate.
-    constexpr unsigned kMostReaders = 4;
-    const size_t share = vertex_count / std::min(pool.size(), kMostReaders) + 1;
-    // The pool asks whether to go on once for each of its loops here.
-    constexpr size_t kAtOnce = size_t{3} << 18;
-    const auto each = [&](const auto& put) {
-      for (size_t first = 0; first < count; first += kAtOnce) {
-        pool.for_blocks(vertex_count, share, [&](size_t, size_t begin, size_t end) {
-          const auto last = static_cast<uint32_t>(std::min(count, first + kAtOnce));
-          for (auto i = static_cast<uint32_t>(first); i < last; ++i) {
+    group(
+        [&ends](size_t begin, size_t end, const auto& visit) {
+          for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
             const VertexPair pair = ends(i);
-            if (pair[0] >= begin && pair[0] < end) put(pair[0], HalfOfEdge{pair[1], i});
+            visit(i, pair[0], pair[1]);
           }
-        });
-      }
-    };
-    each([&](uint32_t low, const HalfOfEdge&) { ++end_[low + 1]; });
-    for (size_t v = 0; v < vertex_count; ++v) end_[v + 1] += end_[v];
-    each([&](uint32_t low, const HalfOfEdge& side) { sides_[end_[low]++] = side; });
-    pool.for_blocks(vertex_count, kMeshGrain, [&](size_t, size_t begin, size_t end) {
-      for (size_t v = begin; v < end; ++v) {
-        std::sort(sides_.begin() + begin_of(v), sides_.begin() + end_[v], [](const HalfOfEdge& a, const HalfOfEdge& b) {
-          return a.high != b.high ? a.high < b.high : a.half_edge < b.half_edge;
-        });
-      }
-    });
+        },
+        pool);
   }
 
   /// Calls visit(edge, sides) for the edges of which v is the lower end, by the other one.
@@ -109,6 +100,39 @@ class EdgeGroups {
   }
 
  private:
+  /// Sorts half-edges into `sides_`. `those_of(begin, end, visit)` calls visit(i, a, b) for the half-edges i of a range
+  /// that begins at a multiple of three, between vertices a and b.
+  template <class ThoseOf>
+  void group(const ThoseOf& those_of, ThreadPool& pool) {
+    // A counting sort: in the second pass `end_` is where the next side of a vertex goes. Every thread reads all
+    // half-edges and handles some of the vertices, so that the sides of a vertex come in their order whatever the
+    // number of threads. With more than a few threads reading would dominate.
+    constexpr unsigned kMostReaders = 4;
+    const size_t count = sides_.size(), vertex_count = end_.size() - 1;
+    const size_t share = vertex_count / std::min(pool.size(), kMostReaders) + 1;
+    // The pool asks whether to go on once for each of its loops here.
+    constexpr size_t kAtOnce = size_t{3} << 18;
+    const auto each = [&](const auto& put) {
+      for (size_t first = 0; first < count; first += kAtOnce) {
+        pool.for_blocks(vertex_count, share, [&](size_t, size_t begin, size_t end) {
+          those_of(first, std::min(count, first + kAtOnce), [&](uint32_t i, uint32_t a, uint32_t b) {
+            const uint32_t low = std::min(a, b);
+            if (low >= begin && low < end) put(low, HalfOfEdge{std::max(a, b), i});
+          });
+        });
+      }
+    };
+    each([&](uint32_t low, const HalfOfEdge&) { ++end_[low + 1]; });
+    for (size_t v = 0; v < vertex_count; ++v) end_[v + 1] += end_[v];
+    each([&](uint32_t low, const HalfOfEdge& side) { sides_[end_[low]++] = side; });
+    pool.for_blocks(vertex_count, kMeshGrain, [&](size_t, size_t begin, size_t end) {
+      for (size_t v = begin; v < end; ++v) {
+        std::sort(sides_.begin() + begin_of(v), sides_.begin() + end_[v],
+                  [](const HalfOfEdge& a, const HalfOfEdge& b) { return a.order() < b.order(); });
+      }
+    });
+  }
+
   std::ptrdiff_t begin_of(size_t v) const { return v == 0 ? 0 : end_[v - 1]; }
 
   Table<HalfOfEdge> sides_;           // by their lower ends, and then by their other ones

@@ -145,13 +145,15 @@ void number_components(CheckedMesh& mesh, ThreadPool& pool) {
   DisjointSets sets(face_count);
   std::vector<std::vector<uint32_t>> across(ThreadPool::block_count(face_count, kMeshGrain));  // sides
   pool.for_blocks(face_count, kMeshGrain, [&](size_t block, size_t begin, size_t end) {
-    for (auto side = static_cast<uint32_t>(3 * begin); side < 3 * end; ++side) {
-      const uint32_t f = side / 3, other = mesh.twin[side];
-      if (other == kNoTwin || other / 3 >= f) continue;
-      if (other / 3 >= begin) {
-        sets.join(f, other / 3);
-      } else {
-        across[block].push_back(side);
+    for (auto f = static_cast<uint32_t>(begin); f < end; ++f) {
+      for (uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
+        if (mesh.twin[side] >= 3 * f) continue;  // kNoTwin is the highest
+        const uint32_t other = mesh.twin[side] / 3;
+        if (other >= begin) {
+          sets.join(f, other);
+        } else {
+          across[block].push_back(side);
+        }
       }
     }
   });
@@ -176,11 +178,14 @@ bool opposed(const CheckedMesh& mesh, uint32_t side) {
 void orient(CheckedMesh& mesh, const Names& names, ThreadPool& pool) {
   const size_t face_count = mesh.faces.size();
   mesh.flipped.assign(face_count, 0);
-  const size_t disagreeing = pool.first(3 * face_count, kMeshGrain, [&](size_t i) {
-    const auto side = static_cast<uint32_t>(i);
-    return mesh.twin[side] != kNoTwin && !opposed(mesh, side);
+  const size_t disagreeing = pool.first(face_count, kMeshGrain, [&](size_t f) {
+    for (auto side = static_cast<uint32_t>(3 * f); side < 3 * f + 3; ++side) {
+      // Each edge once, from its second face; kNoTwin is the highest.
+      if (mesh.twin[side] < 3 * f && !opposed(mesh, side)) return true;
+    }
+    return false;
   });
-  if (disagreeing == 3 * face_count) return;
+  if (disagreeing == face_count) return;
 
   std::vector<uint8_t> seen(face_count, 0);
   std::vector<uint32_t> queue;
@@ -224,10 +229,12 @@ void flip(CheckedMesh& mesh) {
 /// A vertex whose faces form more than one fan is named.
 void check_vertices(const CheckedMesh& mesh, size_t vertex_count, const Names& names, ThreadPool& pool) {
   std::vector<uint32_t> any_corner(vertex_count, kNever);
-  pool.for_blocks(3 * mesh.faces.size(), kMeshGrain, [&](size_t, size_t begin, size_t end) {
-    for (auto corner = static_cast<uint32_t>(begin); corner < end; ++corner) {
-      const std::atomic_ref any(any_corner[mesh.faces[corner / 3][corner % 3]]);
-      any.store(corner, std::memory_order_relaxed);  // whichever comes last
+  pool.for_blocks(mesh.faces.size(), kMeshGrain, [&](size_t, size_t begin, size_t end) {
+    for (auto f = static_cast<uint32_t>(begin); f < end; ++f) {
+      for (uint32_t k = 0; k < 3; ++k) {
+        const std::atomic_ref any(any_corner[mesh.faces[f][k]]);
+        any.store(3 * f + k, std::memory_order_relaxed);  // whichever comes last
+      }
     }
   });
   // Works before faces are flipped, too, since it finds the corner of the vertex in every face.
