@@ -7,8 +7,8 @@
 // value of its pair, turned once.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -54,7 +54,8 @@ struct Couplings {
   void end_row() { start.push_back(static_cast<uint32_t>(neighbour.size())); }
 };
 
-/// Rows in pairs, or alone where no neighbour was left.
+/// Rows in pairs, or alone where no neighbour was left. Where that leaves most of them, as around a hub that is the only
+/// neighbour of thousands, those that are alone join the pair of the neighbour that they are tied to most.
 template <class Weight>
 struct Pairs {
   static constexpr bool kTurns = !std::is_same_v<Weight, double>;
@@ -71,7 +72,7 @@ struct Pairs {
   std::vector<uint32_t> of;    ///< per row: its pair
   std::vector<Weight> carry;   ///< per row: a unit number, times which the pair's value is the row's; empty: all are 1
 
-  /// Joins every row to the neighbour that it is tied to most, if that one is free: at most half as many are left.
+  /// Joins every row to the neighbour that it is tied to most, if that one is free.
   Pairs(const Couplings<Weight>& rows, CancelToken& poll) : of(rows.size(), kNone) {
     if constexpr (kTurns) carry.assign(rows.size(), kSame);
     for (uint32_t i = 0; i < rows.size(); ++i) {
@@ -89,18 +90,23 @@ struct Pairs {
       of[rows.neighbour[best]] = of[i];
       if constexpr (kTurns) carry[rows.neighbour[best]] = unit(conj(rows.weight[best]));
     }
+    if (count > kMostLeft * rows.size()) join_alone(rows, poll);
   }
 
   /// The system of the pairs (Galerkin's).
   Couplings<Weight> joined(const Couplings<Weight>& rows, CancelToken& poll) const {
-    std::vector<std::array<uint32_t, 2>> members(count, {kNone, kNone});
-    for (uint32_t i = 0; i < rows.size(); ++i) members[of[i]][members[of[i]][0] == kNone ? 0 : 1] = i;
+    std::vector<uint32_t> begin(count + 1, 0), members(rows.size());
+    for (const uint32_t pair : of) ++begin[pair + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<uint32_t> next(begin.begin(), begin.end() - 1);
+    for (uint32_t i = 0; i < rows.size(); ++i) members[next[of[i]]++] = i;
     Couplings<Weight> coarse;
     std::vector<uint32_t> place(count, kNone);  // of an edge to each pair, in the row that is being made
     for (uint32_t pair = 0; pair < count; ++pair) {
       poll();
-      for (const uint32_t i : members[pair]) {
-        for (uint32_t e = i == kNone ? 0 : rows.start[i]; i != kNone && e < rows.start[i + 1]; ++e) {
+      for (uint32_t k = begin[pair]; k < begin[pair + 1]; ++k) {
+        const uint32_t i = members[k];
+        for (uint32_t e = rows.start[i]; e < rows.start[i + 1]; ++e) {
           const uint32_t other = of[rows.neighbour[e]];
           if (other == pair) continue;
           Weight weight = rows.weight[e];
@@ -119,6 +125,37 @@ struct Pairs {
   }
 
  private:
+  /// Pairs that leave a larger share of the rows than this hardly make a level coarser.
+  static constexpr double kMostLeft = 0.75;
+
+  void join_alone(const Couplings<Weight>& rows, CancelToken& poll) {
+    std::vector<uint32_t> size(count, 0);
+    for (const uint32_t pair : of) ++size[pair];
+    for (uint32_t i = 0; i < rows.size(); ++i) {
+      poll();
+      if (size[of[i]] > 1) continue;
+      uint32_t best = kNone;
+      double most = 0;
+      for (uint32_t e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+        if (!(size_of(rows.weight[e]) > most)) continue;
+        best = e;
+        most = size_of(rows.weight[e]);
+      }
+      if (best == kNone) continue;
+      const uint32_t other = rows.neighbour[best];
+      --size[of[i]];
+      of[i] = of[other];
+      ++size[of[i]];
+      if constexpr (kTurns) carry[i] = unit(rows.weight[best]) * carry[other];
+    }
+    std::vector<uint32_t> number(count, 0);
+    count = 0;
+    for (size_t pair = 0; pair < size.size(); ++pair) {
+      if (size[pair] > 0) number[pair] = count++;
+    }
+    for (uint32_t& pair : of) pair = number[pair];
+  }
+
   static double size_of(double w) { return w; }
   static double size_of(Vec2 w) { return dot(w, w); }
   static double size_of(const Mirroring& w) { return dot(w.turned, w.turned) + dot(w.mirrored, w.mirrored); }
