@@ -282,7 +282,7 @@ def others(folder: Path) -> list[str]:
 ELSEWHERE = {
     "With Symmetry": "needs a surface that is its own mirror image: test_mirror.py",
     "The curve and its mirror image": "the same",
-    "are available; choose a": "needs a machine without memory: test_memory_limit.py",
+    "are available; choose ": "needs a machine without memory: test_memory_limit.py",
     "cannot be written to; choose another": "needs a user without rights: test_whole_files.py",
     "is protected against writing": "the same",
     "cannot be used in Blender, which prints": "needs Blender: test_standard_streams.py",

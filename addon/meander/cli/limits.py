@@ -51,8 +51,13 @@ def cost_with_files(cost: core.Cost) -> float:
     return cost.memory + BYTES_PER_POINT * cost.points
 
 
-def refuse_large(cost: core.Cost, arguments: argparse.Namespace) -> None:
-    """Raises BadInput for a run that is expected to be larger than it may be."""
+def refuse_large(
+    cost: core.Cost, arguments: argparse.Namespace, remedy: str = "a larger spacing"
+) -> None:
+    """Raises BadInput for a run that is expected to be larger than it may be.
+
+    remedy   what to choose instead
+    """
     if cost.nodes > MOST_OF_LIBRARY:
         return
     needed, limit = cost_with_files(cost), arguments.limit_memory
@@ -63,17 +68,17 @@ def refuse_large(cost: core.Cost, arguments: argparse.Namespace) -> None:
     if most is not None and cost.nodes > most:
         raise BadInput(
             f"the run would need about {cost_in_words(cost)}, and --limit-nodes is {most:,}; "
-            "choose a larger spacing, or raise --limit-nodes"
+            f"choose {remedy}, or raise --limit-nodes"
         )
     if limit is not None and needed > limit * _MEGABYTE:
         raise BadInput(
             f"the run would need about {cost_in_words(cost)}, with its files "
-            f"{size_in_words(needed)}, and --limit-memory is {limit:,g} MB; choose a larger "
-            "spacing, or raise --limit-memory"
+            f"{size_in_words(needed)}, and --limit-memory is {limit:,g} MB; choose "
+            f"{remedy}, or raise --limit-memory"
         )
     if available is not None and needed > available:
         raise BadInput(
             f"the run would need about {cost_in_words(cost)}, with its files "
-            f"{size_in_words(needed)}, and {size_in_words(available)} are available; choose a "
-            "larger spacing, or give --limit-memory MB to begin nevertheless"
+            f"{size_in_words(needed)}, and {size_in_words(available)} are available; choose "
+            f"{remedy}, or give --limit-memory MB to begin nevertheless"
         )

@@ -55,7 +55,7 @@ def _draw(arguments: argparse.Namespace, place: Place) -> None:
         return watching.run(flow, place.say)
 
     def accept(cost: core.Cost) -> None:
-        limits.refuse_large(cost, arguments)
+        limits.refuse_large(cost, arguments, "a wider pen, a smaller width or a part of the picture")
 
     layers = line.draw(image, wishes, mask, run, accept)
     record = record_of(arguments, image, wishes, layers)

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures of odd kinds: what is drawn of them, and what is said where nothing can be."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from meander import batch
+from meander.model.files.whole import FileError
+from meander.model.picture import image, line
+from meander.model.picture.tone import Tone
+
+RAMP = np.tile(np.linspace(0, 255, 60).astype(np.uint8), (45, 1))
+
+
+def plan_of(pixels: np.ndarray, **wishes) -> line.Plan:
+    (plan,) = line.plans_of(image.image_of(pixels), line.Wishes(width=40.0, pen=1.0, **wishes))
+    return plan
+
+
+@pytest.mark.parametrize("pixels", [np.full((1, 1), 80, np.uint8), np.zeros((9, 9), np.uint8)])
+def test_one_pixel_and_all_black_are_even(pixels):
+    plan = plan_of(pixels)
+    assert plan.share == pytest.approx(np.full(plan.share.shape, plan.share[0, 0]))
+    assert (plan.dark, plan.light) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("kind", ["eye", "value"])
+def test_a_ramp_is_lighter_than_the_pen_only_where_it_is(kind):
+    """Tones that are fitted to the pen's are in its reach, whatever rounding makes of the ends."""
+    plan = plan_of(RAMP, tone=Tone(kind))
+    if kind == "eye":
+        assert (plan.dark, plan.light) == (0.0, 0.0)
+    else:
+        assert plan.dark == pytest.approx(0.1, abs=0.03)
+        assert plan.light == pytest.approx(0.06, abs=0.03)
+
+
+def test_what_is_out_of_reach_is_so_on_paper():
+    """On paper that makes lines wider a pen reaches a darkness that its share of ink does not."""
+    paper = ((0.5, 0.8), (0.9, 0.99))
+    assert plan_of(RAMP, tone=Tone("value", paper=paper)).dark < 0.03
+
+
+def test_a_strip_narrower_than_a_strand_is_a_sentence():
+    with pytest.raises(FileError, match="no room for a strand of a pen of 1 mm"):
+        plan_of(np.full((1, 10000), 100, np.uint8))
+
+
+def test_what_is_transparent_all_over_is_said_to_be():
+    clear = np.zeros((9, 9, 4), np.uint8)
+    with pytest.raises(FileError, match="the picture is transparent: there is no place"):
+        plan_of(clear)
+    pictures = (image.image_of(RAMP), line.Wishes(), image.image_of(np.zeros((2, 2))))
+    with pytest.raises(FileError, match="the mask leaves nothing: there is no place"):
+        line.plans_of(*pictures)
+
+
+def saved(folder: Path, name: str) -> Path:
+    """A file of an odd kind, whose picture is the ramp."""
+    from PIL import Image
+
+    path, grey = folder / name, Image.fromarray(RAMP)
+    if name == "turned.jpg":
+        turn = Image.Exif()
+        turn[0x112] = 6
+        grey.transpose(Image.Transpose.ROTATE_90).save(path, exif=turn, quality=98)
+    elif name == "cmyk.jpg":
+        grey.convert("CMYK").save(path, quality=98)
+    elif name == "sixteen.png":
+        Image.fromarray(RAMP.astype(np.uint16) * 257).save(path)
+    elif name == "moving.gif":
+        rest = [grey.transpose(Image.Transpose.FLIP_LEFT_RIGHT)]
+        grey.save(path, save_all=True, append_images=rest)
+    elif name == "opacity.png":
+        alpha = Image.new("L", grey.size, 255)
+        Image.merge("LA", (grey, alpha)).save(path)
+    elif name == "palette.png":
+        grey.convert("P").save(path)
+    return path
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["turned.jpg", "cmyk.jpg", "sixteen.png", "moving.gif", "opacity.png", "palette.png"],
+)
+def test_files_of_odd_kinds_are_the_same_picture(tmp_path, name):
+    pytest.importorskip("PIL")
+    found = image.read_image(saved(tmp_path, name))
+    assert found.sides == (60, 45) and found.opacity is None
+    assert found.colours[..., 1] == pytest.approx(RAMP / 255.0, abs=0.03)
+
+
+@pytest.mark.parametrize("content", [b"", b"no picture\n", b"\x89PNG\r\n\x1a\n"])
+def test_what_is_no_picture_is_said_to_be_none(tmp_path, content):
+    pytest.importorskip("PIL")
+    path = tmp_path / "picture.png"
+    path.write_bytes(content)
+    with pytest.raises(FileError, match=r"picture\.png cannot be read as a picture"):
+        image.read_image(path)
+
+
+def test_a_sheet_that_is_too_large_says_what_helps_a_picture(tmp_path, capsys):
+    pytest.importorskip("PIL")
+    from PIL import Image
+
+    Image.new("L", (4, 4), 100).save(tmp_path / "grey.png")
+    argv = f"--picture {tmp_path}/grey.png --output {tmp_path}/x.svg --limit-nodes 10".split()
+    assert batch.main(argv) == 2
+    assert "choose a wider pen, a smaller width or a part of the picture" in capsys.readouterr().err
