@@ -6,9 +6,9 @@
 
 PHOTOS is the folder `data` of scikit-image, whose photographs are free. FOLDER gets the pictures as
 squares and the lines as .obj files in a square of side 1. Each line is drawn on a raster, where ink
-over ink is ink once, and compared with the picture, both blurred by two mean spacings, away from 5 %
-of the sides. Prints a JSON object a picture. Runs where `meander` is the package; needs Pillow and
-scipy.
+over ink is ink once, and compared with the picture, both blurred by two mean spacings, away from
+5 % of the sides. Prints a JSON object a picture. Runs where `meander` is the package; needs Pillow
+and scipy.
 """
 
 from __future__ import annotations

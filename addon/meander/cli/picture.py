@@ -22,6 +22,8 @@ from .wishes import check, parser, wishes_of
 
 # What names the command among those of the batch command.
 OPTIONS = ("--picture", "--test-strip")
+# What makes a run smaller.
+_REMEDY = "a wider pen, a smaller width or a part of the picture"
 
 
 def is_asked(argv: Sequence[str]) -> bool:
@@ -55,7 +57,7 @@ def _draw(arguments: argparse.Namespace, place: Place) -> None:
         return watching.run(flow, place.say)
 
     def accept(cost: core.Cost) -> None:
-        limits.refuse_large(cost, arguments, "a wider pen, a smaller width or a part of the picture")
+        limits.refuse_large(cost, arguments, _REMEDY)
 
     layers = line.draw(image, wishes, mask, run, accept)
     record = record_of(arguments, image, wishes, layers)
