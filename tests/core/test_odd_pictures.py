@@ -41,7 +41,8 @@ def test_a_ramp_is_lighter_than_the_pen_only_where_it_is(kind):
 def test_what_is_out_of_reach_is_so_on_paper():
     """On paper that makes lines wider a pen reaches a darkness that its share of ink does not."""
     paper = ((0.5, 0.8), (0.9, 0.99))
-    assert plan_of(RAMP, tone=Tone("value", paper=paper)).dark < 0.03
+    # A hundredth of the ramp is, to a column of the grid; by the share of ink it were a tenth.
+    assert plan_of(RAMP, tone=Tone("value", paper=paper)).dark < 0.05
 
 
 def test_a_strip_narrower_than_a_strand_is_a_sentence():
