@@ -5,6 +5,8 @@
 // with the library's banded form in parallel frames.
 #pragma once
 
+#include <span>
+
 #include <Eigen/Dense>
 
 #include "model/constants.h"
@@ -144,7 +146,7 @@ class LiteralModel {
   }
 
   /// -H^-1 g with the fixed nodes held, by dense algebra.
-  Eigen::VectorXd dense_step(const std::vector<uint8_t>& fixed) const {
+  Eigen::VectorXd dense_step(std::span<const uint8_t> fixed) const {
     Eigen::MatrixXd h = Eigen::MatrixXd::Zero(3 * n_, 3 * n_);
     for (const Square& q : squares_) {
       for (const auto& [a, ma] : q.terms) {

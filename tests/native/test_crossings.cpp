@@ -14,7 +14,7 @@ namespace {
 
 using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
 
-Pairs brute_force(const Surface& s, const Curve& c, const std::vector<uint8_t>* changed = nullptr) {
+Pairs brute_force(const Surface& s, const Curve& c, const Table<uint8_t>* changed = nullptr) {
   Pairs pairs;
   for (const auto& p : exact_crossings(s, c)) {
     if (!changed || (*changed)[p.first] || (*changed)[p.second]) pairs.push_back(p);
@@ -31,7 +31,7 @@ void expect_equal(const Surface& s, const Curve& curve, Rng& rng) {
   EXPECT_EQ(test.find(s, curve, one), expected);
   EXPECT_EQ(test.find(s, curve, three), expected);
   for (const double share : {0.0, 0.1, 0.7, 1.0}) {
-    std::vector<uint8_t> changed(curve.size());
+    Table<uint8_t> changed(curve.size(), 0);
     for (uint8_t& c : changed) c = rng() < share;
     EXPECT_EQ(test.find(s, curve, three, &changed), brute_force(s, curve, &changed));
   }
@@ -219,7 +219,7 @@ TEST(Crossings, EqualBruteForceWhereSomeHaveChanged) {
       for (int round = 0; round < 12; ++round) {
         const std::vector<uint32_t> changed = nudge(s, c, share, 0.03, rng);
         ASSERT_TRUE(whole(s, c));
-        std::vector<uint8_t> marked(c.size());
+        Table<uint8_t> marked(c.size(), 0);
         for (const uint32_t i : changed) marked[i] = 1;
         const Pairs expected = brute_force(s, c, &marked);
         ++(expected.empty() ? none : found);

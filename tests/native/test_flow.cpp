@@ -202,7 +202,7 @@ TEST_P(EveryIteration, ACancelledStepChangesNothing) {
   int asked = 0;
   bool whole_step = false;
   for (int patience = 0; !whole_step && patience < 1000; ++patience) {
-    const std::vector<SurfacePoint> before = flow.curve().nodes;
+    const Table<SurfacePoint> before = flow.curve().nodes;
     const size_t iterations = flow.history().size();
     asked = 0;
     whole_step = flow.step([&] { return ++asked > patience; });

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "geodesic/geodesic_trace.h"
@@ -79,7 +80,7 @@ TEST(Ends, TheBallAheadIsTheLargestThatIsEmpty) {
 }
 
 /// By the formula of Ma, Bae and Choi, point after point.
-double largest_ball(const Vec3& x, const Vec3& outward, double most, const std::vector<Vec3>& points) {
+double largest_ball(const Vec3& x, const Vec3& outward, double most, std::span<const Vec3> points) {
   for (const Vec3& p : points) {
     const Vec3 u = p - x;
     const double ahead = u.dot(outward);

@@ -158,6 +158,7 @@ INSTANTIATE_TEST_SUITE_P(Invariant, Faults, testing::ValuesIn(faults()),
 TEST(Invariant, EveryPathHasItsTurn) {
   const auto flow = grown_flow();
   const Curve& curve = flow->curve();
+  ThreadPool pool(2);
   size_t spoiled = 0;
   for (uint32_t i = 0; i < curve.size() && spoiled < 20; ++i) {
     if (!curve.has_segment(i) || curve.paths[i].empty()) continue;
@@ -165,7 +166,7 @@ TEST(Invariant, EveryPathHasItsTurn) {
     after.paths[i].pop_back();
     size_t found = 0;
     for (size_t turn = 0; turn < kPathTurns; ++turn) {
-      found += broken_promise(flow->surface(), curve, after, turn + 1000).empty() ? 0 : 1;
+      found += broken_promise(flow->surface(), curve, after, turn + 1000, pool).empty() ? 0 : 1;
     }
     EXPECT_EQ(found, 1u) << "segment " << i;
     ++spoiled;

@@ -4,6 +4,8 @@
 // boundary.
 #include <gtest/gtest.h>
 
+#include <span>
+
 #include "medial/medial_axis.h"
 #include "curves.h"
 
@@ -20,7 +22,7 @@ struct Smallest {
   double ahead;  // (q - x).B of the point that limits it, infinite if none does
 };
 
-Smallest brute_force(const std::vector<Vec3>& points, const Vec3& x, const Vec3& b, double most) {
+Smallest brute_force(std::span<const Vec3> points, const Vec3& x, const Vec3& b, double most) {
   Smallest best{most, std::numeric_limits<double>::infinity()};
   for (const Vec3& q : points) {
     const Vec3 u = q - x;

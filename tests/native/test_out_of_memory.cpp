@@ -50,15 +50,15 @@ TEST(OutOfMemory, CrossingsAreFoundAfterwards) {
   const Surface s = make_surface(sphere(2));
   Rng rng(91);
   const Curve curve = tangle(s, rng);
-  std::vector<uint8_t> changed(curve.size());
+  Table<uint8_t> changed(curve.size(), 0);
   for (uint8_t& c : changed) c = rng() < 0.4;
   ThreadPool pool(2);
   const auto all = CrossingTest().find(s, curve, pool), some = CrossingTest().find(s, curve, pool, &changed);
   ASSERT_FALSE(some.empty());
   ASSERT_LT(some.size(), all.size());
   long failures = 0;
-  for (const std::vector<uint8_t>* which : {static_cast<const std::vector<uint8_t>*>(nullptr),
-                                            static_cast<const std::vector<uint8_t>*>(&changed)}) {
+  for (const Table<uint8_t>* which : {static_cast<const Table<uint8_t>*>(nullptr),
+                                      static_cast<const Table<uint8_t>*>(&changed)}) {
     for (long n = 0;; ++n) {
       CrossingTest test;
       const Outcome outcome = run_out_of_memory(n, [&] { test.find(s, curve, pool, which); });
@@ -126,7 +126,7 @@ TEST(OutOfMemory, RefinementLeavesTheCurve) {
   Curve expected = b.curve;
   NodeData<uint32_t> origin;
   ASSERT_TRUE(Refinement().refine(s, expected, b.target, pool, origin));
-  ASSERT_EQ(origin.values(), b.origin);
+  ASSERT_EQ(origin, NodeData<uint32_t>(b.origin));
   for (const bool again : {false, true}) {
     long failures = 0;
     for (long n = 0;; ++n) {
@@ -148,7 +148,7 @@ TEST(OutOfMemory, RefinementLeavesTheCurve) {
       ASSERT_EQ(origin, before) << "allocation " << n;
       ASSERT_TRUE(refinement.refine(s, curve, b.target, pool, origin));
       ASSERT_TRUE(same(curve, expected)) << "allocation " << n;
-      ASSERT_EQ(origin.values(), b.origin);
+      ASSERT_EQ(origin, NodeData<uint32_t>(b.origin));
     }
     EXPECT_GT(failures, again ? 10 : 20);  // with memory that is kept from before: 15
   }

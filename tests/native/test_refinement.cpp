@@ -226,10 +226,10 @@ TEST(Refine, ManyNodesAreRefinedAsOneAfterAnother) {
     }
     ASSERT_TRUE(exact_crossings(s, old).empty());
     const double h = rng.in(0.5, 1.5) * old.length() / old.size();
-    const std::vector<uint32_t> expected = one_after_another(old, h);
+    const NodeData<uint32_t> expected(one_after_another(old, h));
     const Refined r = refine(s, old, h, 1);
     ASSERT_TRUE(whole(s, r.curve));
-    EXPECT_EQ(r.origin.values(), expected);
+    EXPECT_EQ(r.origin, expected);
     EXPECT_NE(r.origin.size(), old.size());
     for (const unsigned threads : {2u, 16u}) {
       const Refined other = refine(s, old, h, threads);
@@ -253,10 +253,10 @@ TEST(Refine, KeepsTheLeastNumberOfNodes) {
     ASSERT_TRUE(exact_crossings(s, curve).empty());
     Refined r{curve, {}};
     for (int pass = 0; pass < 12; ++pass) {
-      const std::vector<uint32_t> expected = one_after_another(r.curve, 0.9);
+      const NodeData<uint32_t> expected(one_after_another(r.curve, 0.9));
       r = refine(s, r.curve, 0.9);
       ASSERT_TRUE(whole(s, r.curve));
-      EXPECT_EQ(r.origin.values(), expected);
+      EXPECT_EQ(r.origin, expected);
     }
     EXPECT_EQ(r.curve.strands[0].count, 3u);
     EXPECT_EQ(r.curve.strands[1].count, 2u);
@@ -274,7 +274,7 @@ void expect_refined(const Surface& s, const Blocked& b) {
   ASSERT_TRUE(whole(s, curve));
   EXPECT_TRUE(exact_crossings(s, curve).empty());
   expect_origin(b.curve, {curve, origin, true});
-  ASSERT_EQ(origin.values(), b.origin);
+  ASSERT_EQ(origin, NodeData<uint32_t>(b.origin));
   for (uint32_t n = 0; n < curve.size(); ++n) {
     EXPECT_TRUE(same_bytes(curve.nodes[n], b.new_nodes[n])) << "node " << n;
     if (!curve.has_segment(n)) continue;
@@ -393,7 +393,7 @@ TEST(Refine, TakesOutWhereAStrandDoublesBack) {
       std::vector<uint32_t> expected(spike.curve.size());
       std::iota(expected.begin(), expected.end(), 0u);
       expected.erase(expected.begin() + spike.tip);
-      EXPECT_EQ(next.origin.values(), expected);
+      EXPECT_EQ(next.origin, NodeData<uint32_t>(expected));
     }
     expect_origin(r.curve, next);
     ASSERT_TRUE(whole(s, next.curve));
@@ -452,7 +452,7 @@ TEST(Refine, OneChangeIsMadeBesideAnyBlock) {
       NodeData<uint32_t> origin;
       ASSERT_TRUE(Refinement().refine(s, curve, target, pool, origin));
       ASSERT_TRUE(whole(s, curve));
-      EXPECT_EQ(origin.values(), expected);
+      EXPECT_EQ(origin, NodeData<uint32_t>(expected));
     }
   }
 }

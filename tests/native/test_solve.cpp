@@ -71,7 +71,7 @@ struct Scene {
     for (const Strand& strand : curve.strands) {
       StrandSystem system;
       assemble(curve, strand, frames, radii, metric, weights, pool, system);
-      const std::vector<Vec2> z = solve(system, pool, least_chunk);
+      const Table<Vec2> z = solve(system, pool, least_chunk);
       for (uint32_t k = 0; k < strand.count; ++k) {
         const uint32_t i = strand.first + k;
         d.segment<3>(3 * i) = surface.to_space(curve.nodes[i].face, system.frame[k] * z[k]);

@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "base/close_growth.h"
+#include "base/large_pages.h"
 
 namespace meander {
 
-/// A list with one `Value` for every `Element`, by its index. A std::vector with a name: it costs nothing, and a
+/// A list with one `Value` for every `Element`, by its index. A Table with a name: it costs nothing, and a
 /// value for every vertex cannot be given where one for every node is asked for. Any thread may read it; different
 /// threads may write different entries. `Value` is not bool, whose entries could not be written so.
 template <class Element, class Value>
@@ -19,7 +20,8 @@ class ElementData {
  public:
   ElementData() = default;
   explicit ElementData(size_t count, const Value& value = {}) : values_(count, value) {}
-  explicit ElementData(std::vector<Value> values) : values_(std::move(values)) {}
+  explicit ElementData(Table<Value> values) : values_(std::move(values)) {}
+  explicit ElementData(const std::vector<Value>& values) : values_(values.begin(), values.end()) {}
 
   size_t size() const { return values_.size(); }
   bool empty() const { return values_.empty(); }
@@ -32,8 +34,9 @@ class ElementData {
   Value* data() { return values_.data(); }
   const Value* data() const { return values_.data(); }
   /// The list itself, for what takes lists of anything.
-  const std::vector<Value>& values() const { return values_; }
+  const Table<Value>& values() const { return values_; }
 
+  /// New numbers are anything.
   void resize(size_t count) { resize_closely(values_, count); }
   void resize(size_t count, const Value& value) {
     if (count > values_.capacity()) values_.reserve(count + count / 8);
@@ -41,12 +44,13 @@ class ElementData {
   }
   void assign(size_t count, const Value& value) { values_.assign(count, value); }
   void clear() { values_.clear(); }
+  friend void hand_on(ElementData& data) noexcept { hand_on(data.values_); }
   void swap(ElementData& other) noexcept { values_.swap(other.values_); }
 
   bool operator==(const ElementData&) const = default;
 
  private:
-  std::vector<Value> values_;
+  Table<Value> values_;
 };
 
 }  // namespace meander

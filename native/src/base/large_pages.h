@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Memory for tables of many megabytes, in large pages where the system has them.
+// Lists of many megabytes.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,13 @@
 #include <utility>
 #include <vector>
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
+#include "base/page_store.h"
 
 namespace meander {
 
-/// An allocator that asks for pages of 2 MiB: the system then provides the table of a fine mesh in a dozen
-/// pieces instead of thousands, which saves a third of the time to set one up. It is only a hint; where the
-/// system has no such pages, and for small tables, this is std::allocator.
+/// An allocator that takes the memory of long lists from the PageStore: the system then provides the table of a fine
+/// mesh in a dozen pieces instead of thousands, which saves a third of the time to set one up, and what one list of
+/// nodes gives back another one takes. For small lists this is std::allocator.
 template <class T>
 struct LargePages {
   using value_type = T;
@@ -27,17 +25,17 @@ struct LargePages {
   LargePages(const LargePages<U>&) {}
   friend bool operator==(const LargePages&, const LargePages&) { return true; }
 
+  /// Whether lists of n entries are long.
+  static bool is_large(size_t n) { return n >= kLarge / sizeof(T); }
+
   T* allocate(size_t n) {
     if (!is_large(n)) return std::allocator<T>().allocate(n);
-    void* memory = ::operator new(n * sizeof(T), std::align_val_t{kPage});
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-    madvise(memory, n * sizeof(T), MADV_HUGEPAGE);
-#endif
-    return static_cast<T*>(memory);
+    if (n > SIZE_MAX / sizeof(T)) throw std::bad_array_new_length();
+    return static_cast<T*>(PageStore::take(n * sizeof(T)));
   }
   void deallocate(T* memory, size_t n) noexcept {
     if (!is_large(n)) return std::allocator<T>().deallocate(memory, n);
-    ::operator delete(memory, std::align_val_t{kPage});
+    PageStore::give_back(memory, n * sizeof(T));
   }
   /// resize() leaves new numbers uninitialized, so that the threads that fill a table are the first to touch it.
   template <class U>
@@ -50,11 +48,23 @@ struct LargePages {
   }
 
  private:
-  static constexpr size_t kPage = size_t{1} << 21;
-  static bool is_large(size_t n) { return n >= kPage / sizeof(T); }
+  static constexpr size_t kLarge = size_t{1} << 21;
 };
 
+/// A list. Numbers that resize() adds are anything.
 template <class T>
 using Table = std::vector<T, LargePages<T>>;
+
+/// Gives the memory of a list that nobody needs any more to the next one, if it is long: short ones keep theirs, which
+/// costs less than to ask for it again.
+template <class T>
+void hand_on(Table<T>& list) noexcept {
+  if (LargePages<T>::is_large(list.capacity())) Table<T>().swap(list);
+}
+template <class... Lists>
+  requires(sizeof...(Lists) > 1)
+void hand_on(Lists&... lists) noexcept {
+  (hand_on(lists), ...);
+}
 
 }  // namespace meander

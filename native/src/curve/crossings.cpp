@@ -53,7 +53,7 @@ bool overlap(Vec2 node, Vec2 p, Vec2 q) {
 
 class FaceTest {
  public:
-  FaceTest(const Curve& curve, const std::vector<uint8_t>* changed, Pairs& found)
+  FaceTest(const Curve& curve, const Table<uint8_t>* changed, Pairs& found)
       : curve_(curve), changed_(changed), found_(found) {}
 
   void operator()(std::span<const Piece> pieces) {
@@ -120,7 +120,7 @@ class FaceTest {
   }
 
   const Curve& curve_;
-  const std::vector<uint8_t>* changed_;
+  const Table<uint8_t>* changed_;
   Pairs& found_;
   PieceGrid grid_;
 };
@@ -172,7 +172,7 @@ void CrossingTest::collect_some(const Curve& curve, size_t block, std::span<cons
 }
 
 Pairs CrossingTest::find(const Surface& surface, const Curve& curve, ThreadPool& pool,
-                         const std::vector<uint8_t>* changed) {
+                         const Table<uint8_t>* changed) {
   if (changed) {
     return find_changed(surface, curve, pool, *changed, [&](uint32_t i) -> const Path& { return curve.paths[i]; });
   }
@@ -182,7 +182,7 @@ Pairs CrossingTest::find(const Surface& surface, const Curve& curve, ThreadPool&
 }
 
 Pairs CrossingTest::find_among_pieces(const Surface& surface, const Curve& curve, ThreadPool& pool,
-                                      const std::vector<uint8_t>* changed) {
+                                      const Table<uint8_t>* changed) {
   by_face_.sort(pieces_, surface.face_count());
   const size_t places = by_face_.places(), grain = faces_per_block(places);
   std::vector<Pairs> found(ThreadPool::block_count(places, grain));

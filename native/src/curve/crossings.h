@@ -25,11 +25,11 @@ class CrossingTest {
   /// All crossing pairs (lower segment first, sorted, each once). Where `changed` is given (per
   /// segment), pairs of two unchanged segments are skipped: they did not cross before.
   std::vector<std::pair<uint32_t, uint32_t>> find(const Surface& surface, const Curve& curve, ThreadPool& pool,
-                                                  const std::vector<uint8_t>* changed = nullptr);
+                                                  const Table<uint8_t>* changed = nullptr);
   /// The same for a curve that is not put together yet: path_of(i) is the path of segment i, wherever it is.
   template <class PathOf>
   std::vector<std::pair<uint32_t, uint32_t>> find_changed(const Surface& surface, const Curve& curve, ThreadPool& pool,
-                                                          const std::vector<uint8_t>& changed, const PathOf& path_of);
+                                                          const Table<uint8_t>& changed, const PathOf& path_of);
 
   /// find() in three steps, for whoever makes the segments in blocks: their pieces are taken while the paths are still
   /// in the caches, which on a fine mesh costs less than fetching them once more. begin() comes first, then collect()
@@ -50,6 +50,9 @@ class CrossingTest {
   void collect_some(const Curve& curve, size_t block, std::span<const uint32_t> segments);
   std::vector<std::pair<uint32_t, uint32_t>> find_again(const Surface& surface, const Curve& curve, ThreadPool& pool);
 
+  /// Hands the memory of a test on; find_again() asks for another one first.
+  void hand_on() noexcept { by_face_.hand_on(); }
+
  private:
   /// The path of the segment this many places on is fetched while the pieces of another one are put down.
   static constexpr uint32_t kPathsAhead = 8;
@@ -59,14 +62,14 @@ class CrossingTest {
   template <class PathOf>
   void collect(const Curve& curve, size_t block, const PathOf& path_of, bool only_marked);
   std::vector<std::pair<uint32_t, uint32_t>> find_among_pieces(const Surface& surface, const Curve& curve,
-                                                               ThreadPool& pool, const std::vector<uint8_t>* changed);
+                                                               ThreadPool& pool, const Table<uint8_t>* changed);
 
   std::vector<std::vector<Piece>> pieces_;       // by blocks of segments, in order
   std::vector<std::vector<Piece>> some_pieces_;  // those of changed segments, likewise; empty after the last block
   FacePieces by_face_;
   std::vector<uint8_t> marked_;                  // per face: holds a changed piece
   std::vector<std::vector<uint32_t>> marked_faces_;  // those that are marked, by blocks of segments
-  std::vector<uint8_t> changed_;                 // per segment
+  Table<uint8_t> changed_;                 // per segment
 };
 
 /// The pieces that may have to be tested: all, or those in marked faces.
@@ -88,7 +91,7 @@ void CrossingTest::collect(const Curve& curve, size_t block, const PathOf& path_
 template <class PathOf>
 std::vector<std::pair<uint32_t, uint32_t>> CrossingTest::find_changed(const Surface& surface, const Curve& curve,
                                                                       ThreadPool& pool,
-                                                                      const std::vector<uint8_t>& changed,
+                                                                      const Table<uint8_t>& changed,
                                                                       const PathOf& path_of) {
   unmark(surface, curve);
   pool.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t begin, size_t end) {

@@ -27,6 +27,10 @@ void Curve::link() {
   }
 }
 
+void Curve::hand_on() noexcept {
+  meander::hand_on(nodes, fixed, shapes, next_, previous_, on_guide_);
+}
+
 void Curve::lay_out_as(const Curve& other) {
   resize_closely(nodes, other.size());
   fixed = other.fixed;

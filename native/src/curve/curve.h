@@ -40,11 +40,11 @@ struct Piece {
 /// Segment i joins node i to next(i); the last node of an open strand has none (an empty path).
 class Curve {
  public:
-  std::vector<SurfacePoint> nodes;
-  std::vector<uint8_t> fixed;    ///< per node: 1 never moves
+  Table<SurfacePoint> nodes;
+  Table<uint8_t> fixed;    ///< per node: 1 never moves
   std::vector<Strand> strands;   ///< consecutive, covering all nodes
-  std::vector<Path> paths;       ///< per segment: the edges it crosses, in order
-  std::vector<PathShape> shapes; ///< per segment
+  Table<Path> paths;       ///< per segment: the edges it crosses, in order
+  Table<PathShape> shapes; ///< per segment
 
   uint32_t size() const { return static_cast<uint32_t>(nodes.size()); }
   uint32_t next(uint32_t i) const { return next_[i]; }      ///< kNone at an open end
@@ -56,6 +56,15 @@ class Curve {
 
   /// Recomputes next, previous and on_guide from the strands; call after they changed.
   void link();
+
+  /// Hands the memory of its lists on, but for the paths, each of which keeps its own. What it says is lost.
+  void hand_on() noexcept;
+
+  /// The same for all memory.
+  void hand_all_on() noexcept {
+    hand_on();
+    meander::hand_on(paths);
+  }
 
   /// Becomes a curve like `other` whose nodes, paths and shapes are still to be found; keeps their memory.
   void lay_out_as(const Curve& other);
@@ -94,8 +103,8 @@ class Curve {
   double growing_length() const;
 
  private:
-  std::vector<uint32_t> next_, previous_;
-  std::vector<uint8_t> on_guide_;  // empty where there are no guides
+  Table<uint32_t> next_, previous_;
+  Table<uint8_t> on_guide_;  // empty where there are no guides
 };
 
 /// The length of a curve on a surface of the same faces and other vertices, in its own unit.

@@ -37,6 +37,8 @@ class FacePieces {
   size_t renewed() const { return renewed_.size(); }
   /// The places that hold a piece of the last renewal.
   std::span<const uint32_t> renewed_places() const { return renewed_places_; }
+  /// Hands the memory of the pieces on; not to be asked before the next sorting.
+  void hand_on() noexcept { meander::hand_on(sorted_); }
   /// All pieces in a place as they are now, in no order.
   void gather(uint32_t place, std::vector<Piece>& pieces) const;
 
@@ -54,7 +56,7 @@ class FacePieces {
   void forget_index();
   uint32_t place_of(uint32_t face);
 
-  std::vector<Piece> sorted_;
+  Table<Piece> sorted_;
   std::vector<uint32_t> faces_;  // of the places, in the order in which the curve meets them
   std::vector<uint32_t> end_;    // of the places: where their pieces end in sorted_
   std::vector<uint32_t> count_;  // per face: all 0, or with an index 1 more than its place

@@ -20,6 +20,9 @@ struct LocalMetric {
   /// A medial ball that the boundary leaves smaller than this is pushed away from there harder than by what it
   /// falls short of; 0: as by anything else.
   NodeData<double> least_rest;
+
+  /// Hands its memory on; what it says is lost.
+  void hand_on() noexcept { meander::hand_on(radius, max_radius, overhang, least_rest); }
 };
 
 /// How the metric follows from r.

@@ -75,6 +75,12 @@ bool Refinement::refine(const Surface& surface, Curve& curve, const NodeData<dou
   return false;
 }
 
+void Refinement::hand_on() noexcept {
+  next_.hand_all_on();
+  meander::hand_on(origin_, source_, changed_, may_split_, may_remove_);
+  test_->hand_on();
+}
+
 /// May the node after i go? Not the strand's first one, which holds the list's place. There is a segment i.
 bool Refinement::removes_next(const Curve& curve, const NodeData<double>& target, uint32_t i) const {
   const uint32_t j = curve.next(i);

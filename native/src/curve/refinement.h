@@ -39,6 +39,9 @@ class Refinement {
   bool refine(const Surface& surface, Curve& curve, const NodeData<double>& target, ThreadPool& pool,
               NodeData<uint32_t>& origin, double most_turn = kAnyTurn);
 
+ /// Hands the memory of a call on.
+  void hand_on() noexcept;
+
  private:
   /// What replaces segment `from`; where the node after it goes, that one and the next.
   struct Change {
@@ -72,9 +75,9 @@ class Refinement {
   std::vector<PathShape> new_shapes_;
   std::vector<std::vector<uint32_t>> candidates_;  // by blocks of nodes
   NodeData<uint32_t> origin_;              // of the new curve
-  std::vector<uint32_t> source_;           // per new segment that is changed: its slot
-  std::vector<uint8_t> changed_;           // per new segment
-  std::vector<uint8_t> may_split_, may_remove_;  // per old segment, per old node
+  Table<uint32_t> source_;           // per new segment that is changed: its slot
+  Table<uint8_t> changed_;           // per new segment
+  Table<uint8_t> may_split_, may_remove_;  // per old segment, per old node
 };
 
 }  // namespace meander

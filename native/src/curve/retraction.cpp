@@ -49,12 +49,17 @@ const NodeData<double>& Retraction::move(const Surface& surface, const Curve& cu
                                          const NodeData<Vec2>& displacement, Curve& next, ThreadPool& pool,
                                          MoveSeconds& seconds) {
   const uint32_t n = curve.size();
-  share_.assign(n, 1);
-  for (uint32_t i = 0; i < n; ++i) {
-    if (curve.fixed[i]) share_[i] = 0;
-  }
+  resize_closely(share_, n);
+  pool.for_blocks(n, kNodeGrain, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) share_[i] = curve.fixed[i] ? 0 : 1;
+  });
   resolve(surface, curve, displacement, next, pool, seconds);
   return moved_;
+}
+
+void Retraction::hand_on() noexcept {
+  meander::hand_on(share_, moved_, node_changed_);
+  test_->hand_on();
 }
 
 void Retraction::straighten(const Surface& surface, Curve& curve, Curve& spare, ThreadPool& pool,

@@ -54,6 +54,14 @@ class Retraction {
   /// `spare`  any other curve, for its memory; what it says is lost
   void straighten(const Surface& surface, Curve& curve, Curve& spare, ThreadPool& pool, MoveSeconds& seconds);
 
+ /// Hands the memory of a call on, but for the traces, each of which keeps its own.
+  void hand_on() noexcept;
+  /// The same for all memory.
+  void hand_all_on() noexcept {
+    hand_on();
+    meander::hand_on(traces_);
+  }
+
  private:
   void resolve(const Surface& surface, const Curve& curve, const NodeData<Vec2>& displacement, Curve& next,
                ThreadPool& pool, MoveSeconds& seconds);
@@ -74,10 +82,10 @@ class Retraction {
   void back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs, int attempt);
 
   std::shared_ptr<CrossingTest> test_;
-  std::vector<Path> traces_;
-  std::vector<double> share_;           // of the displacement that a node takes
+  Table<Path> traces_;
+  Table<double> share_;                 // of the displacement that a node takes
   NodeData<double> moved_;              // how far it has gone
-  std::vector<uint8_t> node_changed_;
+  Table<uint8_t> node_changed_;
   std::vector<uint32_t> changed_nodes_, changed_segments_;
   std::vector<uint32_t> marked_;        // nodes of a strand, from its first on
 };

@@ -86,6 +86,7 @@ StopReason Flow::run(const CancelToken& cancel, const std::function<void(double)
     progress(1);
     throw;
   }
+  work_.give_back();
   progress(1);
   return stop_reason();
 }

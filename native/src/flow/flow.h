@@ -99,6 +99,7 @@ class Flow {
     measure_again(pool);
     auto answer = question(Present{state_, work_.medial, plan(), approach_.factor(), pool, *work_.crossings});
     keep_radii();
+    if (stop_reason() != StopReason::kRunning) work_.give_back();
     return answer;
   }
   /// Brings radii() up to date and changes nothing else.

@@ -16,6 +16,13 @@ struct CurveState {
   Curve curve;
   LocalMetric metric;  ///< of the curve, see update_metric
   NodeHistory nodes;
+
+  /// Hands the memory of its lists on, but for paths, see Curve::hand_on; what they say is lost.
+  void hand_on() noexcept {
+    curve.hand_on();
+    metric.hand_on();
+    nodes.hand_on();
+  }
 };
 
 /// A flow between two iterations, without how long it has been running. Whoever wants to change what a flow is about

@@ -57,19 +57,23 @@ bool path_is_whole(const Curve& curve, uint32_t i) {
 
 }  // namespace
 
-std::string broken_promise(const Surface& surface, const Curve& before, const Curve& after, size_t turn) {
+std::string broken_promise(const Surface& surface, const Curve& before, const Curve& after, size_t turn,
+                           ThreadPool& pool) {
   if (!strands_are_kept(before, after)) return "a strand would have been opened, closed or lost";
   if (!fixed_nodes_are_kept(before, after)) return "a fixed point would have moved";
-  double length = 0;
-  for (uint32_t i = 0; i < after.size(); ++i) {
-    if (!is_inside(surface, after.nodes[i])) return "a point would have left its face";
-    if (after.has_segment(i)) length += after.shapes[i].length;
-  }
-  if (!std::isfinite(length)) return "a length would have been no number";
-  for (size_t i = turn % kPathTurns; i < after.size(); i += kPathTurns) {
-    const auto node = static_cast<uint32_t>(i);
-    if (after.has_segment(node) && !path_is_whole(after, node)) return "a piece would have left the surface";
-  }
+  const auto any = [&](size_t count, const auto& wrong) { return pool.first(count, kNodeGrain, wrong) < count; };
+  const size_t n = after.size();
+  if (any(n, [&](size_t i) { return !is_inside(surface, after.nodes[i]); })) return "a point would have left its face";
+  const auto endless = [&](size_t i) {
+    return after.has_segment(static_cast<uint32_t>(i)) && !std::isfinite(after.shapes[i].length);
+  };
+  if (any(n, endless)) return "a length would have been no number";
+  const size_t first = turn % kPathTurns;
+  const auto broken = [&](size_t k) {
+    const auto node = static_cast<uint32_t>(first + k * kPathTurns);
+    return after.has_segment(node) && !path_is_whole(after, node);
+  };
+  if (n > first && any((n - first - 1) / kPathTurns + 1, broken)) return "a piece would have left the surface";
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 
+#include "base/thread_pool.h"
 #include "curve/curve.h"
 #include "mesh/surface.h"
 
@@ -20,6 +21,7 @@ inline constexpr size_t kPathTurns = 8;
 /// were, to the last bit; every node is inside of its face; lengths are finite. Of a share of the segments, which
 /// `turn` chooses: the path leads from face to face, from the node before to the node after it. That nothing crosses
 /// is known from the move itself.
-std::string broken_promise(const Surface& surface, const Curve& before, const Curve& after, size_t turn);
+std::string broken_promise(const Surface& surface, const Curve& before, const Curve& after, size_t turn,
+                           ThreadPool& pool);
 
 }  // namespace meander

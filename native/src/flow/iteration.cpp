@@ -18,6 +18,18 @@
 
 namespace meander {
 
+void Workspace::give_back() noexcept {
+  medial.hand_on();
+  weights.hand_on();
+  strands.hand_on();
+  step.hand_on();
+  retraction.hand_all_on();
+  refiner.hand_on();
+  spare.hand_on();
+  spare.curve.hand_all_on();
+  if (PageStore::figures().free > 0) PageStore::trim();
+}
+
 void find_medial_axis(const FlowState& state, const AtRest& known, const MedialPlan& plan, ThreadPool& pool,
                       MedialState& medial) {
   const Domain& domain = state.domain;
@@ -50,6 +62,8 @@ void Iteration::lay_in_empty(size_t trunks) {
   laid_.emplace(FlowState{{std::move(laid.curve), {}, {}}, given_.settings, domain, *report_});
   work_.refiner.refine(*laid_, plan_, pool_);
   update_metric(*laid_, pool_);
+  // What laying took is in small pieces, and more than all else by then.
+  if (LargePages<SurfacePoint>::is_large(laid_->curve.size())) PageStore::trim();
 }
 
 /// Where parts of open strands may become lines (see Trunks), their segments are as short as they will be in the end.
@@ -95,6 +109,8 @@ void Iteration::solve() {
   figures_.wanted = mean_over_movable(curve, pool_, [&](uint32_t i) { return norm(d[i]) / metric.radius[i]; });
   record_.mean_step = sum_over_free(curve, pool_, [&](uint32_t i) { return norm(d[i]); }) / count;
   record_.energy = energy(curve, work_.medial.felt_radii, metric, work_.weights, pool_);
+  work_.weights.hand_on();
+  work_.strands.hand_on();
 }
 
 void Iteration::move() {
@@ -109,23 +125,27 @@ void Iteration::move() {
   remember_steps(plan_, *displacement_, work_.medial.frames, pool_, nodes.steps);
   nodes.radii.swap(work_.medial.radii);
   nodes.balls.swap(work_.medial.measured);
+  work_.medial.hand_on();
 
   const NodeData<double>& moved = work_.retraction.move(*before().domain.surface, before().curve, *displacement_,
                                                         after().curve, pool_, seconds_.move);
   figures_.moved =
       mean_over_movable(after().curve, pool_, [&](uint32_t i) { return moved[i] / before().metric.radius[i]; });
+  work_.step.hand_on();
+  work_.retraction.hand_on();
 }
 
 void Iteration::refine() {
   Stopwatch watch;
   work_.refiner.refine(before().settings, before().domain, after(), plan_, pool_);
+  work_.refiner.hand_on();
   seconds_.refine = watch.lap();
 }
 
 void Iteration::check(size_t number) {
   const Domain& domain = before().domain;
   const Curve& curve = after().curve;
-  const std::string broken = broken_promise(*domain.surface, given_.curve, curve, number);
+  const std::string broken = broken_promise(*domain.surface, given_.curve, curve, number, pool_);
   if (!broken.empty()) {
     throw Failure(FailureKind::kInternal, "In iteration " + std::to_string(number) + " " + broken +
                                               ", so the curve stays as it was before it; please report this.");
@@ -139,6 +159,7 @@ void Iteration::check(size_t number) {
 void Iteration::commit(FlowState& state, RunRecord& record, double seconds) noexcept {
   static_assert(std::is_nothrow_swappable_v<CurveState> && std::is_nothrow_move_assignable_v<StartReport>);
   std::swap(static_cast<CurveState&>(state), after());
+  after().hand_on();
   if (report_) state.start = std::move(*report_);
   record_.seconds = seconds_.total = seconds;
   record.add(record_, seconds_);

@@ -28,6 +28,10 @@ struct Workspace {
   Retraction retraction{crossings};
   SegmentRefiner refiner{crossings};
   CurveState spare;  ///< a curve that nobody needs
+  PageStore::Keeper keeper;  ///< of what one step hands on to the next one
+
+  /// Gives long lists back to the system, after the last step for now.
+  void give_back() noexcept;
 };
 
 /// Finds the medial axis of the curve of a state whose metric is up to date, in `medial`.

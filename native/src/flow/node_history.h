@@ -21,6 +21,9 @@ struct NodeHistory {
   /// Gives the nodes after a refinement what those had that they come from; `origin` as Refinement::refine says.
   /// Where this throws, it is that of neither.
   void follow(const NodeData<uint32_t>& origin, ThreadPool& pool);
+
+  /// Hands its memory on; what it says is lost.
+  void hand_on() noexcept { meander::hand_on(radii, directions, balls, steps); }
 };
 
 }  // namespace meander

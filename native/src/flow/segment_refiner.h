@@ -28,6 +28,12 @@ class SegmentRefiner {
   /// it: at first, and when the surface has moved.
   void cut_guides(FlowState& state, const IterationPlan& plan, ThreadPool& pool);
 
+ /// Hands the memory of a call on.
+  void hand_on() noexcept {
+    refinement_.hand_on();
+    meander::hand_on(targets_, origin_);
+  }
+
  private:
   void apply(const FlowSettings& settings, const Domain& domain, CurveState& state, const IterationPlan& plan,
              double guide_length, ThreadPool& pool);

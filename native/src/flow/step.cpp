@@ -103,7 +103,7 @@ void Step::solve_strands(const FlowState& state, const MedialState& medial, cons
     for (; end != ends_.end() && end->node < strand.end(); ++end) {
       add_end_term(*end, end->node - strand.first, metric.radius[end->node], weights.medial, system);
     }
-    const std::vector<Vec2> z = solve(system, threads);
+    const Table<Vec2> z = solve(system, threads);
     for (uint32_t k = 0; k < strand.count; ++k) {
       displacement_[strand.first + k] = state.settings.step * (system.frame[k] * z[k]);
     }

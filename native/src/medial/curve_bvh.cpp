@@ -116,7 +116,7 @@ void CurveBvh::set_boxes(Node& node, const uint32_t (&cuts)[5]) const {
 
 /// Appends the tree of some runs to `nodes`. With a pool its four branches are built side by side,
 /// and end up in the same places as without.
-uint32_t CurveBvh::add_branch(std::vector<Node>& nodes, uint32_t first, uint32_t last, ThreadPool* pool) {
+uint32_t CurveBvh::add_branch(Table<Node>& nodes, uint32_t first, uint32_t last, ThreadPool* pool) {
   const uint32_t at = static_cast<uint32_t>(nodes.size());
   nodes.emplace_back();
   const uint32_t n = last - first, half = n / 2;
@@ -127,7 +127,7 @@ uint32_t CurveBvh::add_branch(std::vector<Node>& nodes, uint32_t first, uint32_t
       if (cuts[2 * k + 2] - cuts[2 * k] > 1) halve(cuts[2 * k], cuts[2 * k + 1], cuts[2 * k + 2]);
     }
   };
-  std::vector<Node> branches[4];
+  Table<Node> branches[4];
   if (pool) {
     pool->for_blocks(2, 1, quarter);
     pool->for_blocks(4, 1, [&](size_t, size_t begin, size_t end) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/eigen.h"
+#include "base/large_pages.h"
 #include "base/thread_pool.h"
 #include "medial/lanes.h"
 
@@ -58,6 +59,9 @@ class CurveBvh {
   /// The part of a point; 0 where there is one part.
   uint32_t part(size_t i) const { return parts_.empty() ? 0 : parts_[i]; }
 
+  /// Hands its memory on; not to be asked then.
+  void hand_on() noexcept { meander::hand_on(boxes_, lanes_, runs_, nodes_); }
+
   /// Calls visit(run) for the runs of a part whose boxes a region meets. Where the visit has changed the region, it
   /// returns true.
   ///
@@ -74,19 +78,19 @@ class CurveBvh {
   static constexpr uint32_t kLeaf = 1u << 31;  // marks a child that is a run
 
   void take_in(uint32_t run);
-  uint32_t add_branch(std::vector<Node>& nodes, uint32_t first, uint32_t last, ThreadPool* pool);
+  uint32_t add_branch(Table<Node>& nodes, uint32_t first, uint32_t last, ThreadPool* pool);
   void set_boxes(Node& node, const uint32_t (&cuts)[5]) const;
   void halve(uint32_t first, uint32_t middle, uint32_t last);
   void list_runs_of_parts();
 
   std::span<const Eigen::Vector3d> points_;
   std::span<const uint32_t> parts_;
-  std::vector<Box> boxes_;       // of the runs
-  std::vector<Points> lanes_;    // of the runs
-  std::vector<uint32_t> runs_;   // in the order of the tree's leaves, part after part
+  Table<Box> boxes_;             // of the runs
+  Table<Points> lanes_;          // of the runs
+  Table<uint32_t> runs_;         // in the order of the tree's leaves, part after part
   std::vector<uint32_t> first_;  // of the runs of each part
   std::vector<uint32_t> roots_;  // of the parts; UINT32_MAX for one that has no points
-  std::vector<Node> nodes_;
+  Table<Node> nodes_;
 };
 
 template <class Region, class Visit>

@@ -147,6 +147,10 @@ class DirectionWalks {
 
 }  // namespace
 
+void Frames::hand_on() noexcept {
+  meander::hand_on(position, tangent, bitangent2, outward, to_boundary, radius_slope, walked);
+}
+
 void compute_frames(const Surface& surface, const Curve& curve, const LocalMetric& metric, const RadiusField& radius,
                     ThreadPool& pool, Frames& frames, const NodeData<CachedDirections>* cached) {
   const uint32_t n = curve.size();

@@ -33,6 +33,9 @@ struct Frames {
   NodeData<std::array<double, 2>> radius_slope;
   /// 1 where geodesics were led, 0 where cached directions were good enough.
   NodeData<uint8_t> walked;
+
+  /// Hands the memory of its lists on; what they say is lost.
+  void hand_on() noexcept;
 };
 
 /// The directions that geodesics gave a node, to be used again while it hardly moves: see compute_frames.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 #include "geodesic/geodesic_trace.h"
 #include "medial/empty_balls.h"
@@ -43,7 +44,7 @@ double with_slack(double radius) { return radius + kBallRounding * (1 + radius);
 class Nodes {
  public:
   /// Refers to `positions`.
-  Nodes(const std::vector<Vec3>& positions, size_t ends, ThreadPool& pool) : positions_(positions) {
+  Nodes(std::span<const Vec3> positions, size_t ends, ThreadPool& pool) : positions_(positions) {
     if (ends > kFewEnds) tree_.emplace(positions, pool);
   }
 
@@ -60,7 +61,7 @@ class Nodes {
   }
 
  private:
-  const std::vector<Vec3>& positions_;
+  std::span<const Vec3> positions_;
   std::optional<CurveBvh> tree_;
 };
 

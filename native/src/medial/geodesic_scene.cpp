@@ -9,7 +9,7 @@ Obstacles::Obstacles(const Surface& surface, const SurfacePatches& patches, cons
                      const BoundaryObstacle& boundary, BoundaryRule rule, ThreadPool& pool)
     : curve_(curve) {
   if (rule == BoundaryRule::kObstacle && !boundary.empty()) add_walls(surface, frames, boundary);
-  const std::vector<Vec3>& at = with_walls_.empty() ? frames.position.values() : with_walls_;
+  const Table<Vec3>& at = with_walls_.empty() ? frames.position.values() : with_walls_;
   positions_ = at;
   patch_.resize(at.size());
   if (surface.component_count() > 1) part_.resize(at.size());

@@ -90,11 +90,11 @@ class Obstacles {
   void add_walls(const Surface& surface, const Frames& frames, const BoundaryObstacle& boundary);
 
   const Curve& curve_;
-  std::vector<Vec3> with_walls_;
+  Table<Vec3> with_walls_;
   std::vector<SurfacePoint> walls_;
   std::span<const Vec3> positions_;
-  std::vector<uint32_t> patch_, part_;
-  std::vector<Run> runs_;
+  Table<uint32_t> patch_, part_;
+  Table<Run> runs_;
 };
 
 /// What balls are measured in, and what nodes see of it. Refers to what it is given; any thread may ask.

@@ -12,7 +12,7 @@ void compute_medial_axis(const Frames& frames, const BoundaryObstacle& boundary,
                          NodeData<Radii>& radii) {
   const size_t n = frames.position.size();
   radii.resize(n, Radii{0, 0});
-  std::vector<Vec3> with_walls;
+  Table<Vec3> with_walls;
   if (rule == BoundaryRule::kObstacle && !boundary.empty()) {
     with_walls = frames.position.values();
     with_walls.insert(with_walls.end(), boundary.samples().begin(), boundary.samples().end());

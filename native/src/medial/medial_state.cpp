@@ -34,6 +34,7 @@ void find_medial_state(const MedialScene& scene, const AtRest& known, const Node
   state.radii = radii;
   compute_reach(reach, state.radii, pool, state.reach);
   find_radii(scene, known.balls, pool, state);
+  state.tree.hand_on();
   complete_reach(reach, pool, state.reach, state.radii);
   state.felt_radii.resize(state.radii.size());
   pool.for_blocks(state.radii.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
@@ -45,6 +46,12 @@ void find_medial_state(const MedialScene& scene, const AtRest& known, const Node
       }
     }
   });
+}
+
+void MedialState::hand_on() noexcept {
+  frames.hand_on();
+  tree.hand_on();
+  meander::hand_on(reach, radii, felt_radii, measured);
 }
 
 double in_local_radii(const Frames& frames, const LocalMetric& metric, size_t node, size_t side, double radius) {

@@ -39,6 +39,9 @@ struct MedialState {
   NodeData<Radii> felt_radii;  ///< as the energy sees them: under a density, and near a boundary
   NodeData<MeasuredBalls> measured;  ///< what nodes know of their balls for the next iteration; empty if nobody asks
   CurveBvh tree;               ///< kept for its memory; not to be asked
+
+  /// Hands the memory of its lists on; what they say is lost.
+  void hand_on() noexcept;
 };
 
 /// What nodes at rest still know of an earlier iteration. Each may be null, or empty: then all is found anew.

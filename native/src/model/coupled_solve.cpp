@@ -78,17 +78,17 @@ class BlockPentadiagonal {
   std::vector<Block> inverse_, first_, second_;
 };
 
-std::vector<Vec2> solve_coupled_open(const StrandSystem& a) {
+Table<Vec2> solve_coupled_open(const StrandSystem& a) {
   const size_t n = a.diagonal.size();
   BlockPentadiagonal<1>::Right x(n);
   for (size_t i = 0; i < n; ++i) x[i] << a.right[i].x, a.right[i].y;
   BlockPentadiagonal<1>(a, n).solve(x);
-  std::vector<Vec2> z(n);
+  Table<Vec2> z(n, Vec2{});
   for (size_t i = 0; i < n; ++i) z[i] = {x[i](0), x[i](1)};
   return z;
 }
 
-std::vector<Vec2> solve_coupled_dense(const StrandSystem& a) {
+Table<Vec2> solve_coupled_dense(const StrandSystem& a) {
   const auto at = [](size_t i) { return static_cast<Eigen::Index>(2 * i); };
   const size_t n = a.diagonal.size();
   Eigen::MatrixXd h = Eigen::MatrixXd::Zero(at(n), at(n));
@@ -106,12 +106,12 @@ std::vector<Vec2> solve_coupled_dense(const StrandSystem& a) {
     }
   }
   const Eigen::VectorXd x = h.ldlt().solve(right);
-  std::vector<Vec2> z(n);
+  Table<Vec2> z(n, Vec2{});
   for (size_t i = 0; i < n; ++i) z[i] = {x(at(i)), x(at(i) + 1)};
   return z;
 }
 
-std::vector<Vec2> solve_coupled_closed(const StrandSystem& a) {
+Table<Vec2> solve_coupled_closed(const StrandSystem& a) {
   // Unknowns 0 .. m - 1 are banded; p = m and q = m + 1 border them. Column 0 is the right-hand side,
   // columns 1 and 2 are the couplings with p, 3 and 4 those with q.
   const size_t n = a.diagonal.size(), m = n - 2, p = m, q = m + 1;
@@ -140,7 +140,7 @@ std::vector<Vec2> solve_coupled_closed(const StrandSystem& a) {
     right -= coupling[t].transpose() * x[touched[t]].col(0);
   }
   const Eigen::Vector4d border = schur.ldlt().solve(right);
-  std::vector<Vec2> z(n);
+  Table<Vec2> z(n, Vec2{});
   for (size_t i = 0; i < m; ++i) {
     const Eigen::Vector2d v = x[i].col(0) - x[i].rightCols<4>() * border;
     z[i] = {v(0), v(1)};
@@ -152,7 +152,7 @@ std::vector<Vec2> solve_coupled_closed(const StrandSystem& a) {
 
 }  // namespace
 
-std::vector<Vec2> solve_coupled(const StrandSystem& system) {
+Table<Vec2> solve_coupled(const StrandSystem& system) {
   if (!system.closed) return solve_coupled_open(system);
   return system.diagonal.size() < kLeastBanded ? solve_coupled_dense(system) : solve_coupled_closed(system);
 }

@@ -17,6 +17,6 @@ inline constexpr size_t kLeastBanded = 6;
 ///
 /// Open: L L^T by blocks. Closed: the same for all but the last two nodes, which are eliminated
 /// through their 4 x 4 Schur complement; the holonomy is a rotation of the couplings past the join.
-std::vector<Vec2> solve_coupled(const StrandSystem& system);
+Table<Vec2> solve_coupled(const StrandSystem& system);
 
 }  // namespace meander

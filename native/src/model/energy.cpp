@@ -46,8 +46,8 @@ MedialForce medial_force(const Radii& radii, double r, double q) {
 /// segments in them; returns the frame that arrives after the last segment.
 ///
 /// Every block begins with (1, 0) too, and is turned by what the blocks before it arrive with.
-Vec2 carry_frames(const Curve& curve, const Strand& strand, ThreadPool& pool, std::vector<Vec2>& frames,
-                  std::vector<Vec2>& directions) {
+Vec2 carry_frames(const Curve& curve, const Strand& strand, ThreadPool& pool, Table<Vec2>& frames,
+                  Table<Vec2>& directions) {
   std::vector<Vec2> start(ThreadPool::block_count(strand.count, kNodeGrain) + 1, Vec2{1, 0});
   pool.for_blocks(strand.count, kNodeGrain, [&](size_t block, size_t begin, size_t end) {
     Vec2 frame{1, 0};
@@ -138,7 +138,7 @@ struct Assembly {
   const LocalMetric& metric;
   const Weights& weights;
   StrandSystem& system;
-  std::vector<Vec2> direction;  // u of segment k in the frame of node k
+  Table<Vec2> direction;        // u of segment k in the frame of node k
   std::vector<double> factor;   // c of segment k, see energy.h; empty for a length power of 2
 
   void begin(ThreadPool& pool);
@@ -303,11 +303,11 @@ double field_energy_of_segment(const Curve& curve, const Weights& weights, uint3
 }  // namespace
 
 void StrandSystem::reset(size_t n, ThreadPool& pool) {
-  for (std::vector<double>* numbers : {&diagonal, &first, &second}) resize_closely(*numbers, n);
+  for (Table<double>* numbers : {&diagonal, &first, &second}) resize_closely(*numbers, n);
   resize_closely(right, n);
   resize_closely(frame, n);
   pool.for_blocks(n, kNodeGrain, [&](size_t, size_t begin, size_t end) {
-    for (std::vector<double>* numbers : {&diagonal, &first, &second}) {
+    for (Table<double>* numbers : {&diagonal, &first, &second}) {
       std::fill(numbers->data() + begin, numbers->data() + end, 0);
     }
     std::fill(right.data() + begin, right.data() + end, Vec2{});

@@ -56,14 +56,17 @@ struct Sym2 {
 /// `holonomy` times the unknown of the node after the join.
 struct StrandSystem {
   bool closed = false;
-  std::vector<double> diagonal, first, second;
-  std::vector<Sym2> diagonal_block, first_block;  ///< added to the above where the components are coupled
-  std::vector<Vec2> right;  ///< -g
-  std::vector<Vec2> frame;  ///< carries z into the plane of the node's face
+  Table<double> diagonal, first, second;
+  Table<Sym2> diagonal_block, first_block;  ///< added to the above where the components are coupled
+  Table<Vec2> right;  ///< -g
+  Table<Vec2> frame;  ///< carries z into the plane of the node's face
   Vec2 holonomy{1, 0};
 
   /// n nodes, all zero, frames and holonomy (1, 0), in the memory that it has; `closed` stays.
   void reset(size_t n, ThreadPool& pool);
+
+  /// Hands its memory on; not to be asked then.
+  void hand_on() noexcept { meander::hand_on(diagonal, first, second, diagonal_block, first_block, right, frame); }
 };
 
 /// Builds the system of one strand. Fixed nodes are eliminated: z = 0.

@@ -54,7 +54,7 @@ NodeData<double> smoothed_spacing(const Curve& curve, const LocalMetric& metric,
         add_row(curve, metric, radii, strand.first + static_cast<uint32_t>(k), k, system);
       }
     });
-    const std::vector<Vec2> u = solve(system, threads);
+    const Table<Vec2> u = solve(system, threads);
     for (uint32_t k = 0; k < strand.count; ++k) spacing[strand.first + k] = u[k].x;
   });
   return spacing;

@@ -96,7 +96,7 @@ class Pentadiagonal {
   std::vector<double> inverse_, first_, second_;
 };
 
-std::vector<Vec2> solve_dense(const StrandSystem& a) {
+Table<Vec2> solve_dense(const StrandSystem& a) {
   const size_t n = a.diagonal.size();
   const auto index = [](size_t i) { return static_cast<Eigen::Index>(i); };
   Eigen::MatrixXcd h = Eigen::MatrixXcd::Zero(index(n), index(n));
@@ -116,7 +116,7 @@ std::vector<Vec2> solve_dense(const StrandSystem& a) {
     }
   }
   const Eigen::VectorXcd z = h.ldlt().solve(right);
-  std::vector<Vec2> out(n);
+  Table<Vec2> out(n);
   for (size_t i = 0; i < n; ++i) out[i] = {z(index(i)).real(), z(index(i)).imag()};
   return out;
 }
@@ -143,7 +143,7 @@ std::array<Vec2, 2> project(const Chunk::Columns& columns, Vec2 v0, Vec2 v1) {
 }
 
 /// Solves a chunk for the right-hand side, in x, and for its couplings.
-void eliminate(const StrandSystem& a, Chunk& chunk, std::vector<Vec2>& x) {
+void eliminate(const StrandSystem& a, Chunk& chunk, Table<Vec2>& x) {
   const size_t n = x.size(), begin = chunk.begin, end = chunk.end;
   const Pentadiagonal band(a, begin, end);
   band.solve(x.data() + begin);
@@ -179,7 +179,7 @@ void add_pairs(const StrandSystem& a, const std::vector<Chunk>& chunks, size_t p
 }
 
 /// The unknowns of the pairs: the Schur complement of the chunks, Hermitian and positive definite.
-std::vector<Vec2> solve_pairs(const StrandSystem& a, const std::vector<Chunk>& chunks, const std::vector<Vec2>& x) {
+std::vector<Vec2> solve_pairs(const StrandSystem& a, const std::vector<Chunk>& chunks, const Table<Vec2>& x) {
   const size_t pairs = a.closed ? chunks.size() : chunks.size() - 1;
   const auto count = static_cast<Eigen::Index>(2 * pairs);
   Eigen::MatrixXcd schur = Eigen::MatrixXcd::Zero(count, count);
@@ -233,7 +233,7 @@ std::vector<Vec2> solve_pairs(const StrandSystem& a, const std::vector<Chunk>& c
 }
 
 void substitute(const StrandSystem& a, const std::vector<Chunk>& chunks, size_t c, const std::vector<Vec2>& pairs,
-                std::vector<Vec2>& x) {
+                Table<Vec2>& x) {
   const Chunk& chunk = chunks[c];
   if (chunk.has_front) {
     const size_t before = (c + chunks.size() - 1) % chunks.size();
@@ -270,11 +270,11 @@ std::vector<Chunk> cut(const StrandSystem& a, size_t least_chunk) {
 
 }  // namespace
 
-std::vector<Vec2> solve(const StrandSystem& system, ThreadPool& pool, size_t least_chunk) {
+Table<Vec2> solve(const StrandSystem& system, ThreadPool& pool, size_t least_chunk) {
   if (!system.diagonal_block.empty()) return solve_coupled(system);
   if (system.closed && system.diagonal.size() < kLeastBanded) return solve_dense(system);
   std::vector<Chunk> chunks = cut(system, least_chunk);
-  std::vector<Vec2> x = system.right;
+  Table<Vec2> x = system.right;
   pool.for_blocks(chunks.size(), 1, [&](size_t c, size_t, size_t) { eliminate(system, chunks[c], x); });
   if (!system.closed && chunks.size() == 1) return x;
   const std::vector<Vec2> pairs = solve_pairs(system, chunks, x);

@@ -20,6 +20,6 @@ inline constexpr size_t kLeastChunk = 2048;
 /// their Schur complement. One pair always stands at the join of a closed strand, where the holonomy
 /// enters. The chunks depend on the number of nodes only. Where the two components of a node are coupled
 /// one thread solves the whole strand, see coupled_solve.h.
-std::vector<Vec2> solve(const StrandSystem& system, ThreadPool& pool, size_t least_chunk = kLeastChunk);
+Table<Vec2> solve(const StrandSystem& system, ThreadPool& pool, size_t least_chunk = kLeastChunk);
 
 }  // namespace meander

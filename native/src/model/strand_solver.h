@@ -18,6 +18,9 @@ class StrandSolver {
   void for_strands(const Curve& curve, ThreadPool& pool,
                    const std::function<void(const Strand&, ThreadPool&, StrandSystem&)>& body);
 
+  /// Hands the memory of the systems on.
+  void hand_on() noexcept { system_.hand_on(); }
+
  private:
   StrandSystem system_;  // of long strands
 };

@@ -28,6 +28,9 @@ struct Weights {
   NodeData<double> alignment;  ///< beta; empty: no field
   NodeData<Vec2> field;        ///< X in the plane of the node's face; at most of length 1
 
+  /// Hands the memory of the lists on; what they say is lost.
+  void hand_on() noexcept { meander::hand_on(length, bending, medial_stiffening, alignment, field); }
+
   bool coupled() const { return medial_blocks || length_power != 2 || !alignment.empty(); }
 };
 

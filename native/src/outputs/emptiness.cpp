@@ -40,7 +40,7 @@ SegmentsOfFaces::SegmentsOfFaces(const Surface& surface, const Curve& curve) : f
   for_all([&](uint32_t face, uint32_t segment) { segments_[next[face]++] = segment; });
 }
 
-Emptiness::Emptiness(const Surface& surface, const Curve& curve, const std::vector<Vec3>& nodes,
+Emptiness::Emptiness(const Surface& surface, const Curve& curve, std::span<const Vec3> nodes,
                      const RadiusField& radius, const SurfacePatches* patches)
     : surface_(surface), curve_(curve), nodes_(nodes), radius_(radius), patches_(patches) {
   for (const PathShape& shape : curve.shapes) longest_half_ = std::max(longest_half_, 0.5 * shape.length);
@@ -283,7 +283,7 @@ double EmptinessNearby::distance(const Vec3& x, double enough) {
 void EmptinessNearby::gather(const SurfacePoint& p, double margin) {
   const NodesApart& around = emptiness_.around(p);
   const Curve& curve = emptiness_.curve_;
-  const std::vector<Vec3>& places = emptiness_.nodes_;
+  const std::span<const Vec3> places = emptiness_.nodes_;
   middle_ = position(emptiness_.surface_, p);
   const double nearest = std::sqrt(around.tree.nearest(middle_)->squared_distance);
   covered_ = nearest + margin;

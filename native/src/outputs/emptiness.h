@@ -56,7 +56,7 @@ class Emptiness {
   /// `patches`: those of the surface; only the part of the curve that is connected to a point counts then, see
   /// find_gaps, and nodes are looked for in a tree for each component: where bodies lie in one another, the nearest
   /// node is mostly another one's. Null: distances are straight.
-  Emptiness(const Surface& surface, const Curve& curve, const std::vector<Vec3>& nodes,
+  Emptiness(const Surface& surface, const Curve& curve, std::span<const Vec3> nodes,
             const RadiusField& radius, const SurfacePatches* patches);
 
   const Surface& surface() const { return surface_; }
@@ -95,7 +95,7 @@ class Emptiness {
 
   const Surface& surface_;
   const Curve& curve_;
-  const std::vector<Vec3>& nodes_;
+  std::span<const Vec3> nodes_;
   const RadiusField& radius_;
   const SurfacePatches* patches_;
   std::optional<SegmentsOfFaces> segments_;  // where distances are along the surface

@@ -40,7 +40,7 @@ class Laying {
     Pairs crossing;
     for (int k = 0; k <= kHalvings; ++k) {
       lay_out(nearer);
-      const std::vector<uint8_t> changed = join();
+      const Table<uint8_t> changed = join();
       crossing = test_.find(network_.surface(), curve_, pool_, &changed);
       if (crossing.empty() || k == kHalvings) break;
       nearer = halve(crossing);
@@ -131,8 +131,8 @@ class Laying {
   }
 
   /// Joins neighbours; the segments that are others than they were.
-  std::vector<uint8_t> join() {
-    std::vector<uint8_t> changed(curve_.size(), 0);
+  Table<uint8_t> join() {
+    Table<uint8_t> changed(curve_.size(), 0);
     for (uint32_t k = 0; k < walks_.size(); ++k) {
       const Strand& strand = curve_.strands[k];
       if (!walks_[k]) {
