@@ -233,7 +233,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   Regions regions(surface, first, radius);
   std::vector<uint8_t> stays(first.strands.size(), 0);
   for (;;) {
-    const std::vector<uint32_t> tree = join_lines(lines, trunks.holds, variation, network, poll);
+    const std::vector<uint32_t> tree = join_lines(lines, trunks.holds, variation, network, pool, poll);
     const std::vector<LineTree> trees = trees_to_walk(first, drawn, stays, trunks, lines, tree, network, regions);
     for (const LineTree& laid : trees) start.strands[laid.strand] = StrandStart::kLaid;
     TreeTour tour = walk_round(network, trees, kOffset, first, pool);

@@ -64,8 +64,8 @@ struct Candidate {
 class Joiner {
  public:
   Joiner(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds, uint32_t variation,
-         LineNetwork& network, CancelToken poll)
-      : lines_(lines), variation_(variation), network_(network), s_(network.surface()), poll_(poll),
+         LineNetwork& network, ThreadPool& pool, CancelToken poll)
+      : lines_(lines), variation_(variation), network_(network), s_(network.surface()), pool_(pool), poll_(poll),
         trees_(lines.size()),
         shortener_(network.surface()), index_(network.nodes().size(), kNone), tangent_(network.nodes().size()),
         trunk_(lines.size(), 0), held_(network.nodes().size(), 0), used_(lines.size()) {
@@ -113,6 +113,8 @@ class Joiner {
   }
 
  private:
+  using Best = std::map<std::pair<uint32_t, bool>, Candidate>;  // of one node, per line and whether at its tip
+
   uint32_t line_of(uint32_t node) const { return network_.nodes()[node].line; }
 
   /// The lines of all trees but the one with the most nodes of each component of the surface.
@@ -173,10 +175,16 @@ class Joiner {
 
   /// Joins what is near through space and along the surface.
   void join_near() {
+    constexpr size_t kLines = 4;
+    std::vector<std::vector<Candidate>> found(ThreadPool::block_count(lines_.size(), kLines));
+    pool_.for_blocks(lines_.size(), kLines, [&](size_t block, size_t begin, size_t end) {
+      Best best;
+      for (size_t k = begin; k < end; ++k) {
+        for (const uint32_t node : lines_[k].nodes) find_candidates(node, best, found[block]);
+      }
+    });
     std::vector<Candidate> candidates;
-    for (const Streamline& line : lines_) {
-      for (const uint32_t node : line.nodes) find_candidates(node, candidates);
-    }
+    for (const auto& block : found) candidates.insert(candidates.end(), block.begin(), block.end());
     std::sort(candidates.begin(), candidates.end());
     for (const Candidate& c : candidates) {
       if (trees_.find(line_of(c.from)) == trees_.find(line_of(c.to))) continue;
@@ -186,23 +194,22 @@ class Joiner {
   }
 
   /// The best link from a node to each line near it, and one at a tip of that besides.
-  void find_candidates(uint32_t node, std::vector<Candidate>& candidates) {
+  void find_candidates(uint32_t node, Best& best_here, std::vector<Candidate>& candidates) const {
     const LineNetwork::Node& here = network_.nodes()[node];
-    best_.clear();
+    best_here.clear();
     const auto wanted = [&](uint32_t line) { return line > here.line && line < LineNetwork::kBoundary; };
     network_.near(here, kUsual.longest * here.radius, wanted, [&](uint32_t i, double distance) {
-      poll_();
       const LineNetwork::Node& other = network_.nodes()[i];
       const Vec3 chord = other.place - here.place;
       const Exit a = exit_of(kUsual, node, unit(s_.to_plane(here.point.face, chord)));
       const Exit b = exit_of(kUsual, i, unit(s_.to_plane(other.point.face, -chord)));
       if (a == Exit::kNone || b == Exit::kNone) return false;
       const Candidate c{cost(node, i, distance / here.radius, a, b), node, i};
-      const auto [best, added] = best_.try_emplace({other.line, b == Exit::kTip}, c);
+      const auto [best, added] = best_here.try_emplace({other.line, b == Exit::kTip}, c);
       if (!added && c < best->second) best->second = c;
       return false;
     });
-    for (const auto& [key, candidate] : best_) candidates.push_back(candidate);
+    for (const auto& [key, candidate] : best_here) candidates.push_back(candidate);
   }
 
   void link_near(const Candidate& c) {
@@ -312,6 +319,7 @@ class Joiner {
   uint32_t variation_;
   LineNetwork& network_;
   const Surface& s_;
+  ThreadPool& pool_;
   CancelToken poll_;
   DisjointSets trees_;
   PathShortener shortener_;
@@ -321,14 +329,14 @@ class Joiner {
   std::vector<uint8_t> held_;    // per node: no link of a trunk begins there
   Path walked_;
   std::vector<std::vector<std::pair<uint32_t, Exit>>> used_;  // per line
-  std::map<std::pair<uint32_t, bool>, Candidate> best_;       // of one node, per line and whether at its tip
 };
 
 }  // namespace
 
 std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds,
-                                 uint32_t variation, LineNetwork& network, CancelToken poll) {
-  return Joiner(lines, holds, variation, network, poll).join();
+                                 uint32_t variation, LineNetwork& network, ThreadPool& pool,
+                                 CancelToken poll) {
+  return Joiner(lines, holds, variation, network, pool, poll).join();
 }
 
 void cut_at(uint32_t edge, std::vector<Streamline>& lines, LineNetwork& network) {

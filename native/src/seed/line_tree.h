@@ -29,7 +29,7 @@ namespace meander {
 ///
 /// Links that there are already stay, and where one was taken out none comes again.
 std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds,
-                                 uint32_t variation, LineNetwork& network, CancelToken poll);
+                                 uint32_t variation, LineNetwork& network, ThreadPool& pool, CancelToken poll);
 
 /// Takes an edge out of the network: a link, or one of a line, which is two lines from then on.
 void cut_at(uint32_t edge, std::vector<Streamline>& lines, LineNetwork& network);
