@@ -13,6 +13,8 @@ from .values import BadInput
 # Where nobody knows how much memory there is.
 _MOST_NODES = 5_000_000
 _MEGABYTE = 1_000_000
+# What of a run's memory is left while it is written: the curve, and what its nodes carry.
+_KEPT = 0.3
 # From here on the library refuses by itself, and no flag helps.
 MOST_OF_LIBRARY = 500_000_000
 
@@ -47,8 +49,8 @@ def add_failing(parser: argparse.ArgumentParser) -> None:
 
 
 def cost_with_files(cost: core.Cost) -> float:
-    """Bytes that a run needs with what is written of it."""
-    return cost.memory + BYTES_PER_POINT * cost.points
+    """Bytes that a run needs at most, while the curve grows or while it is written."""
+    return max(cost.memory, _KEPT * cost.memory + BYTES_PER_POINT * cost.points)
 
 
 def refuse_large(
