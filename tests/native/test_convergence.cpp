@@ -175,7 +175,7 @@ TEST_P(PhasesOf, FollowOneAnother) {
 
 INSTANTIATE_TEST_SUITE_P(SurfaceMovesEvery, PhasesOf, testing::Values(0, 3, 4));
 
-/// In any phase, and by any rule.
+/// By any rule, while the curve grows and leaves something; all but the paper's tries once to lay that.
 TEST(Convergence, StallsOnlyWhereNodesAreHeld) {
   const Surface surface = make_surface(sphere(2));
   Rng rng(4);
@@ -188,7 +188,9 @@ TEST(Convergence, StallsOnlyWhereNodesAreHeld) {
       for (const double moved : {0.0, 1e-6}) {
         Convergence convergence(rule, true, kHairpinRemoval, kPolishIterations);
         IterationFigures figures{1, 0, wanted, moved, 1};
-        for (int k = 0; k < 4; ++k) convergence.note(surface, curve, metric, figures, pool);
+        figures.far_share = 0.5;
+        const int before = rule == StopRule::kPaper ? 4 : 5;
+        for (int k = 0; k < before; ++k) convergence.note(surface, curve, metric, figures, pool);
         EXPECT_FALSE(convergence.stalled());
         convergence.note(surface, curve, metric, figures, pool);
         EXPECT_EQ(convergence.stalled(), wanted > 0 && moved == 0);
@@ -404,10 +406,14 @@ TEST(Convergence, EndsWithSomeShortSteps) {
 /// something moves begins the count anew.
 TEST(Convergence, StallsAfterSomeIterationsInARow) {
   Noting n(true);
+  double length = 1;
   const auto idle = [&](double wanted, double moved) {
-    n.convergence.note(n.surface, n.curve, n.metric, {1, 0, wanted, moved, 1}, n.pool);
+    length *= 1.1;  // it grows
+    const double far = wanted >= kIdle && moved < kIdle ? 0.5 : 0;
+    n.convergence.note(n.surface, n.curve, n.metric, {length, 0, wanted, moved, 1, far}, n.pool);
     return n.convergence.stalled();
   };
+  EXPECT_FALSE(idle(1, 0));  // the rest is laid
   for (size_t k = 0; k < 2 * kIdleIterations; ++k) EXPECT_FALSE(idle(1, kIdle));
   for (size_t k = 0; k < 2 * kIdleIterations; ++k) EXPECT_FALSE(idle(0.99 * kIdle, 0));
   for (int round = 0; round < 2; ++round) {
@@ -415,6 +421,19 @@ TEST(Convergence, StallsAfterSomeIterationsInARow) {
     EXPECT_TRUE(idle(1, 0));
     EXPECT_TRUE(idle(1, 0));
     EXPECT_FALSE(idle(1, 1));
+  }
+}
+
+/// What cannot move, but leaves nothing, has come to rest; by the paper's rule it is stuck all the same.
+TEST(Convergence, OfWhatFillsAndIsHeld) {
+  for (const StopRule rule : {StopRule::kSettled, StopRule::kPaper}) {
+    Noting n(true, kHairpinRemoval, rule);
+    const IterationFigures held{1, 0, 1, 0, 1};
+    for (size_t k = 0; k < kIdleIterations + kCoolingIterations; ++k) {
+      n.convergence.note(n.surface, n.curve, n.metric, held, n.pool);
+    }
+    EXPECT_EQ(n.convergence.stalled(), rule == StopRule::kPaper);
+    EXPECT_EQ(n.convergence.converged(), rule == StopRule::kSettled);
   }
 }
 

@@ -94,7 +94,7 @@ enum {
   MEANDER_STOP_REASON_RUNNING = 0, /* it would continue */
   MEANDER_STOP_REASON_CONVERGED = 1,
   MEANDER_STOP_REASON_ITERATION_LIMIT = 2,
-  MEANDER_STOP_REASON_STALLED = 3, /* every step is blocked, and nothing moves any more */
+  MEANDER_STOP_REASON_STALLED = 3, /* every step is blocked, and some of the surface is empty */
   MEANDER_STOP_REASON_CANCELLED = 4
 };
 

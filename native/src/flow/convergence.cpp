@@ -112,7 +112,7 @@ double Convergence::change_in(size_t window, double length) const {
 
 bool Convergence::asks_what_is_far(const IterationFigures& figures, double side) const {
   if (!grows_in(phase_) || rule_ == StopRule::kPaper) return false;
-  if (!rest_laid_ && is_stuck(figures)) return true;
+  if (is_stuck(figures) && (!rest_laid_ || idle_ + 1 >= kIdleIterations)) return true;
   if (polish_wanted_) {
     if (has_grown(change_in(kGrowthWindow, figures.length), figures.clamped_share)) return true;
   } else if (change_in(kSettledWindow, figures.length) < kSettledLength) {
@@ -158,8 +158,13 @@ bool Convergence::is_stuck(const IterationFigures& figures) { return figures.wan
 
 void Convergence::note_idleness(const IterationFigures& figures) {
   idle_ = is_stuck(figures) ? idle_ + 1 : 0;
-  stalled_ = idle_ >= kIdleIterations;
+  const bool unfinished = rule_ == StopRule::kPaper || (grows_in(phase_) && figures.far_share > kMostFar);
+  stalled_ = idle_ >= kIdleIterations && unfinished;
 }
+
+/// What fills the surface and cannot move any more has come to rest, in any phase: a polish would only draw its tips
+/// back from where it is narrow.
+bool Convergence::is_held() const { return idle_ >= kIdleIterations && !stalled_; }
 
 /// `rests`: the curve hardly changes any more.
 void Convergence::note_growth(const IterationFigures& figures, bool rests) {
@@ -177,7 +182,7 @@ void Convergence::note_growth(const IterationFigures& figures, bool rests) {
   } else if (rests && !loosened_ && figures.slack_share > kMostSlack) {
     loosened_ = true;
     begin(Phase::kLoosening);
-  } else if (rests && polish_wanted_) {
+  } else if (rests && polish_wanted_ && !is_held()) {
     begin(hairpin_removal_iterations_ > 0 ? Phase::kHairpinRemoval : Phase::kPolishing);
   } else if (rests) {
     begin(Phase::kCooling);
@@ -212,12 +217,16 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
     converged_ = quiet_ >= kPaperIterations;
     return;
   }
+  if (is_held() && !grows_in(phase_) && phase_ != Phase::kCooling) {
+    begin(Phase::kCooling);
+    return;
+  }
   switch (phase_) {
     case Phase::kStarting:
     case Phase::kGrowing:
     case Phase::kLoosening:
     case Phase::kLayingRest:
-      note_growth(figures, polish_wanted_ ? grown : settled);
+      note_growth(figures, is_held() || (polish_wanted_ ? grown : settled));
       break;
     case Phase::kHairpinRemoval:
       if (++removed_for_ >= hairpin_removal_iterations_) begin(Phase::kPolishing);

@@ -82,8 +82,9 @@ class Convergence {
   /// How many iterations in a row have been quiet by the paper's rule, at whose number it ends a run.
   uint32_t quiet_iterations() const { return static_cast<uint32_t>(quiet_); }
   bool converged() const { return converged_; }
-  /// Nodes are to move, but nothing has moved for some iterations: crossings, guides or the boundary are in the way.
-  /// A curve at rest, which nothing asks to move, is not stalled; it converges by its rule.
+  /// Nodes are to move, but nothing has moved for some iterations: crossings, guides or the boundary are in the way,
+  /// and some of the surface is far from the curve. One that fills it is at rest, and so is a curve that nothing asks
+  /// to move: they converge. By the paper's rule it does not matter what is far.
   bool stalled() const { return stalled_; }
 
  private:
@@ -91,6 +92,7 @@ class Convergence {
   void begin_full() noexcept;
   bool awaits_rest() const;
   static bool is_stuck(const IterationFigures& figures);
+  bool is_held() const;
   void note_idleness(const IterationFigures& figures);
   bool has_grown(double change, double clamped_share) const;
   double change_in(size_t window, double length) const;
