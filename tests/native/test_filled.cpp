@@ -63,8 +63,44 @@ Mesh spiral(double turns, double pitch, double width, uint32_t n) {
   });
 }
 
-Mesh pipe(double length, double girth, uint32_t n) {
-  Mesh mesh = cylinder(8, n, 1);
+/// An even number of legs of n quads, each turned by 120 degrees against the one before it, with mitred corners.
+Mesh zigzag(uint32_t legs, double length, double width, uint32_t n) {
+  const auto corner = [=](uint32_t k) {
+    return Vec3(0.5 * k * length, k % 2 ? 0.5 * std::sqrt(3.0) * length : 0, 0);
+  };
+  const auto side = [=](uint32_t k) {
+    if (0 < k && k < legs) return Vec3(0, width, 0);
+    return Vec3((k == 0 ? -1 : 1) * 0.25 * std::sqrt(3.0) * width, 0.25 * width, 0);
+  };
+  return ribbon(legs * n, false, [=](double t) {
+    const double at = t * legs, leg = std::min(std::floor(at), legs - 1.0), share = at - leg;
+    const auto from = static_cast<uint32_t>(leg);
+    const Vec3 left = (1 - share) * side(from) + share * side(from + 1);
+    return std::pair(Vec3((1 - share) * corner(from) + share * corner(from + 1)), left);
+  });
+}
+
+/// A ribbon with a square hole in its middle, a third as wide; n columns of quads on either side of it.
+Mesh holed(double length, double width, uint32_t n) {
+  Mesh mesh;
+  const double piece = (length - width / 3) / (2 * n);
+  for (uint32_t i = 0; i <= 2 * n + 1; ++i) {
+    const double x = i <= n ? i * piece : (i - 1) * piece + width / 3;
+    for (uint32_t j = 0; j < 4; ++j) mesh.add(x, (j / 3.0 - 0.5) * width, 0);
+  }
+  for (uint32_t i = 0; i <= 2 * n; ++i) {
+    for (uint32_t j = 0; j < 3; ++j) {
+      if (i == n && j == 1) continue;
+      const uint32_t a = 4 * i + j;
+      mesh.face(a, a + 4, a + 5);
+      mesh.face(a, a + 5, a + 1);
+    }
+  }
+  return mesh;
+}
+
+Mesh pipe(double length, double girth, uint32_t n, int sides = 8) {
+  Mesh mesh = cylinder(sides, n, 1);
   for (size_t k = 0; k < mesh.vertices.size(); k += 3) {
     mesh.vertices[k] *= girth / (2 * kPi);
     mesh.vertices[k + 1] *= girth / (2 * kPi);
@@ -179,6 +215,8 @@ std::vector<Long> long_surfaces() {
       {"narrow star", star(10, 4, 0.14, 10), stroke({3.5, 0.01, 0}, {3.8, 0.01, 0})},
       {"pipe", pipe(30, 0.4, 30), stroke({0.4 / (2 * kPi), 0, 0.1}, {0.4 / (2 * kPi), 0, 0.4})},
       {"star", star(10, 8, 0.4, 20), stroke({7.5, 0.1, 0}, {7.8, 0.1, 0})},
+      {"zigzag of 200 x .8", zigzag(8, 2.5, 0.08, 25), stroke({0.05, 0.08, 0}, {0.1, 0.17, 0})},
+      {"zigzag of 200 x .8, of few quads", zigzag(8, 2.5, 0.08, 1), stroke({0.05, 0.08, 0}, {0.1, 0.17, 0})},
       {"star of few quads", star(10, 8, 0.4, 1), stroke({7.5, 0.1, 0}, {7.8, 0.1, 0})},
   };
 }
@@ -305,6 +343,33 @@ TEST(Filled, ANeedleBelowASpacing) {
   EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
   EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.01);
   EXPECT_EQ(find_gaps(flow, kGapSize).empty.wide, 0);
+}
+
+/// Lines end at the hole, and are joined by paths with a bend beside it: .23 and .49 were left, and .36 from a stroke
+/// in the wider one.
+TEST(Filled, BothSidesOfAHoleInARibbon) {
+  for (const double width : {1.2 * kSpacing, 2 * kSpacing}) {
+    const auto surface = std::make_shared<const Surface>(make_surface(holed(20 * kSpacing, width, 95)));
+    for (const bool drawn : {false, true}) {
+      SCOPED_TRACE(testing::Message() << width << drawn);
+      const SeedStrands seed = seed_of({Line{{{0.03, 0, 0}, {0.09, 0.002, 0}}, false, false, false}}, false);
+      Flow flow(surface, drawn ? &seed : nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+      EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+      EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+      EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+    }
+  }
+}
+
+/// Nothing can move on a pipe so thin, whatever spacing is wanted there: what they are full of is no failure.
+TEST(Filled, WhatIsHeldThereIsAtRest) {
+  for (const Mesh& mesh : {pipe(1, 0.8 * kPi * kSpacing, 1, 6), pipe(5, 0.4 * kPi * kSpacing, 100)}) {
+    const auto surface = std::make_shared<const Surface>(make_surface(mesh));
+    Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+    EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+    EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+    EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+  }
 }
 
 /// One that has not is left, and said to be narrow.

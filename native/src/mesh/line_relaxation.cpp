@@ -200,7 +200,10 @@ LineField field_along_boundary(const Surface& surface, CancelToken poll) {
   }
   for (Vec2& line : lines) line = unit(line);
   relax(of_faces(surface, carried, poll), kSweeps, lines, [&](size_t f) { return held[f] != 0; }, poll);
-  return LineField(at_corners(surface, carried, lines, poll));
+  std::vector<Vec2> squares;
+  squares.reserve(3 * lines.size());
+  for (const Vec2& line : lines) squares.insert(squares.end(), 3, line);
+  return LineField(std::move(squares));
 }
 
 }  // namespace meander

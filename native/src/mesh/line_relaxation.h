@@ -22,7 +22,8 @@ namespace meander {
 LineField relaxed_field(const Surface& surface, CancelToken poll);
 
 /// Along the boundary in the faces beside it, and the mean of those in the faces between, as far as kSweeps faces away:
-/// for strips of a few faces across. No direction elsewhere.
+/// for strips of a few faces across. No direction elsewhere. Every face has one line: between two legs of a zigzag that
+/// are a face or two long, means around corners would lie across both.
 LineField field_along_boundary(const Surface& surface, CancelToken poll);
 
 }  // namespace meander

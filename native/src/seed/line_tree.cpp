@@ -11,6 +11,7 @@
 #include "base/disjoint_sets.h"
 #include "base/variation.h"
 #include "geodesic/chart.h"
+#include "seed/bent_path.h"
 
 namespace meander {
 namespace {
@@ -106,7 +107,7 @@ class Joiner {
 
   std::vector<uint32_t> join() {
     join_near();
-    while (join_met()) continue;
+    while (join_met() || join_round_corners()) continue;
     std::vector<uint32_t> tree(lines_.size());
     for (uint32_t k = 0; k < lines_.size(); ++k) tree[k] = trees_.find(k);
     return tree;
@@ -248,6 +249,39 @@ class Joiner {
     std::ranges::stable_sort(walks, {}, &Walk::length);
     bool any = false;
     for (Walk& w : walks) any = link(kLast, w.ends, std::move(w.path), w.shape) || any;
+    return any;
+  }
+
+  /// Joins trees from their tips by paths with a bend, as beside a hole in a ribbon. Whether it has joined any.
+  bool join_round_corners() {
+    const std::vector<uint8_t> marked = not_in_largest();
+    std::vector<Candidate> candidates;
+    for (uint32_t k = 0; k < lines_.size(); ++k) {
+      if (!marked[k]) continue;
+      for (const uint32_t tip : {lines_[k].nodes.front(), lines_[k].nodes.back()}) {
+        const LineNetwork::Node& here = network_.nodes()[tip];
+        const auto wanted = [&](uint32_t line) {
+          return line < LineNetwork::kBoundary && trees_.find(line) != trees_.find(k);
+        };
+        Best best_here;
+        network_.near(here, kUsual.longest * here.radius, wanted, [&](uint32_t i, double distance) {
+          const Candidate c{distance / here.radius, tip, i};
+          const auto [best, added] = best_here.try_emplace({line_of(i), false}, c);
+          if (!added && c < best->second) best->second = c;
+          return false;
+        });
+        for (const auto& [key, candidate] : best_here) candidates.push_back(candidate);
+      }
+    }
+    std::sort(candidates.begin(), candidates.end());
+    bool any = false;
+    for (const Candidate& c : candidates) {
+      if (trees_.find(line_of(c.from)) == trees_.find(line_of(c.to))) continue;
+      poll_(kSearched);
+      Path path;
+      const auto shape = bent_path(network_, c.from, c.to, shortener_, path);
+      any = (shape && link(kLast, c, std::move(path), *shape)) || any;
+    }
     return any;
   }
 

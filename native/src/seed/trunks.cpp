@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "geodesic/chart.h"
+#include "seed/bent_path.h"
 
 namespace meander {
 namespace {
@@ -21,6 +23,9 @@ constexpr double kLeastTail = 1;
 /// An end runs on along a line whose tip is no farther than this, in r, and no farther from straight ahead than by this
 /// cosine.
 constexpr double kAhead = 10, kStraightAhead = 0.5;
+
+/// Nodes of a laid line that may be beyond a corner, besides its last one.
+constexpr size_t kTooFar = 2;
 
 constexpr double kWide = std::numeric_limits<double>::infinity();
 
@@ -60,57 +65,107 @@ class Prolonging {
       : field_(field), network_(network), s_(network.surface()), lines_(lines), drawn_(drawn),
         shortener_(network.surface()) {}
 
-  /// Appends the nodes of the line ahead to those of a trunk, whose number is `line`; false where there is none.
-  bool run_on(std::vector<uint32_t>& nodes, uint32_t line) {
+  /// Appends the nodes of the line ahead to those of a trunk, whose number is `line`; false where there is none. The
+  /// first `kept` nodes stay.
+  bool run_on(std::vector<uint32_t>& nodes, size_t kept, uint32_t line) {
     if (nodes.size() < 2) return false;
     const auto direction = outward(network_, nodes);
-    if (!direction || across(network_, nodes.back(), *direction, kOneLine).width() > kOneLine) return false;
-    const auto tip = tip_ahead(nodes.back(), *direction);
-    if (!tip || !join(nodes.back(), *tip)) return false;
-    take(network_.nodes()[*tip].line, *tip, line, nodes);
-    return true;
+    if (!direction || !ends_in_narrow(nodes, *direction)) return false;
+    for (const uint32_t tip : tips_in_reach(nodes.back(), *direction)) {
+      if (!join(nodes, kept, tip)) continue;
+      take(network_.nodes()[tip].line, tip, line, nodes);
+      return true;
+    }
+    return false;
   }
 
  private:
-  /// The nearest tip of a line, most of which lies where it is narrow.
-  std::optional<uint32_t> tip_ahead(uint32_t end, Vec2 direction) {
+  /// Whether it is narrow where a line ends or, as the strip may turn there, just before.
+  bool ends_in_narrow(const std::vector<uint32_t>& nodes, Vec2 direction) const {
+    if (across(network_, nodes.back(), direction, kOneLine).width() <= kOneLine) return true;
+    const LineNetwork::Node& end = network_.nodes()[nodes.back()];
+    for (size_t k = nodes.size(); k-- > 0;) {
+      if ((network_.nodes()[nodes[k]].place - end.place).norm() > kOneLine * end.radius) break;
+      if (is_narrow(nodes[k])) return true;
+    }
+    return false;
+  }
+  bool is_narrow(uint32_t node) const {
+    const Vec2 direction = unit(field_.at(network_.nodes()[node].point));
+    return across(network_, node, direction, kOneLine).width() <= kOneLine;
+  }
+
+  /// Tips of lines, most of which lie where it is narrow: those straight ahead, the nearest first, and then the others,
+  /// as a strip may turn back at a corner.
+  std::vector<uint32_t> tips_in_reach(uint32_t end, Vec2 direction) {
     const LineNetwork::Node& here = network_.nodes()[end];
-    std::vector<std::pair<double, uint32_t>> tips;
+    std::vector<std::tuple<bool, double, uint32_t>> tips;
     network_.near(here, kAhead * here.radius, [&](uint32_t i, double distance) {
       const LineNetwork::Node& other = network_.nodes()[i];
       if (other.line >= LineNetwork::kBoundary || other.line < drawn_) return false;
       const std::vector<uint32_t>& line = lines_[other.line].nodes;
       const Vec2 there = unit(s_.to_plane(here.point.face, other.place - here.place));
       const bool tip = i == line.front() || i == line.back();
-      if (tip && dot(there, direction) > kStraightAhead) tips.emplace_back(distance, i);
+      if (tip) tips.emplace_back(dot(there, direction) <= kStraightAhead, distance, i);
       return false;
     });
     std::ranges::sort(tips);
-    for (const auto& [distance, tip] : tips) {
-      if (is_narrow(lines_[network_.nodes()[tip].line])) return tip;
+    std::vector<uint32_t> found;
+    for (const auto& [aside, distance, tip] : tips) {
+      if (is_narrow(lines_[network_.nodes()[tip].line])) found.push_back(tip);
     }
-    return std::nullopt;
+    return found;
   }
 
   bool is_narrow(const Streamline& line) const {
-    size_t narrow = 0;
-    for (const uint32_t node : line.nodes) {
-      const Vec2 direction = unit(field_.at(network_.nodes()[node].point));
-      narrow += across(network_, node, direction, kOneLine).width() <= kOneLine;
+    const auto narrow = std::ranges::count_if(line.nodes, [&](uint32_t node) { return is_narrow(node); });
+    return 2 * static_cast<size_t>(narrow) > line.nodes.size();
+  }
+
+  /// Joins the end to a tip or, where it has gone too far round a corner, a node before it; what is after that node is
+  /// a line of its own then.
+  bool join(std::vector<uint32_t>& nodes, size_t kept, uint32_t tip) {
+    const size_t least = std::max(kept, nodes.size() - std::min(nodes.size(), kTooFar));
+    for (size_t count = nodes.size(); count >= least && count > 1; --count) {
+      if (!join(nodes[count - 1], tip)) continue;
+      if (count < nodes.size()) cut(nodes, count);
+      return true;
     }
-    return 2 * narrow > line.nodes.size();
+    return false;
+  }
+
+  void cut(std::vector<uint32_t>& nodes, size_t count) {
+    const uint32_t last = nodes[count - 1], first = nodes[count];
+    for (uint32_t k = 0; k < network_.edges().size(); ++k) {
+      const LineNetwork::Edge& e = network_.edges()[k];
+      const bool between = (e.from == last && e.to == first) || (e.from == first && e.to == last);
+      if (between && !e.taken_out) network_.take_out(k);
+    }
+    Streamline rest{{nodes.begin() + static_cast<std::ptrdiff_t>(count), nodes.end()}};
+    for (const uint32_t node : rest.nodes) network_.set_line(node, static_cast<uint32_t>(lines_.size()));
+    lines_.push_back(std::move(rest));
+    nodes.resize(count);
   }
 
   bool join(uint32_t from, uint32_t to) {
-    const LineNetwork::Node a = network_.nodes()[from], b = network_.nodes()[to];
-    Chart chart = Chart::at(a.point, a.place);
-    if (!chart.advance_to(s_, b.point, b.place, kAhead * a.radius)) return false;
+    const SurfacePoint end = network_.nodes()[to].point;
     Path path;
-    trace_geodesic(s_, a.point, chart.place, path);
-    const auto shape = shortener_.adopt(a.point, b.point, path);
-    if (!shape || !(shape->length > 0) || network_.touches(from, to, b.point, path)) return false;
+    const auto is_clear = [&](const std::optional<PathShape>& shape) {
+      return shape && shape->length > 0 && !network_.touches(from, to, end, path);
+    };
+    std::optional<PathShape> shape = straight(from, to, path);
+    if (!is_clear(shape)) shape = bent_path(network_, from, to, shortener_, path);
+    if (!is_clear(shape)) return false;
     network_.add_edge(from, to, std::move(path), *shape);
     return true;
+  }
+
+  std::optional<PathShape> straight(uint32_t from, uint32_t to, Path& path) {
+    const LineNetwork::Node &a = network_.nodes()[from], &b = network_.nodes()[to];
+    Chart chart = Chart::at(a.point, a.place);
+    if (!chart.advance_to(s_, b.point, b.place, kAhead * a.radius)) return std::nullopt;
+    trace_geodesic(s_, a.point, chart.place, path);
+    return shortener_.adopt(a.point, b.point, path);
   }
 
   /// Takes a line that begins, or ends, at `tip`.
@@ -218,7 +273,8 @@ void Trunks::prolong(const LineField& field, size_t drawn, LineNetwork& network,
     Trunk& trunk = trunks[k];
     if (trunk.closed) continue;
     for (int end = 0; end < 2; ++end) {
-      while (!trunk.fixed.back() && prolonging.run_on(trunk.nodes, k)) {
+      const size_t kept = trunk.nodes.size();
+      while (!trunk.fixed.back() && prolonging.run_on(trunk.nodes, kept, k)) {
         poll();
         prolonged[k] = 1;
         trunk.fixed.resize(trunk.nodes.size(), 0);

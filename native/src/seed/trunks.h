@@ -14,7 +14,8 @@ namespace meander {
 
 /// Line k of the network is trunk k. A free end of an open one, which is not fixed, need not stay where it is:
 ///
-/// * in a strip that has no room for a line and its way back it runs on along the line ahead of it;
+/// * in a strip that has no room for a line and its way back it runs on along the line ahead of it, also round a corner
+///   or beside a hole;
 /// * where it lies alone along the middle of a strip that has room for two, it becomes a line like others, which the
 ///   curve walks round on its way to the rest of the strand.
 struct Trunks {
