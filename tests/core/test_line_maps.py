@@ -158,6 +158,21 @@ def test_images_are_cancelled(sheet: Mapped, tmp_path: Path) -> None:
     assert refused.value.status == core.Status.CANCELLED
 
 
+def test_images_are_drawn_piece_by_piece(
+    sheet: Mapped, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In any pieces the same, with a share that rises to the end."""
+    style, kinds = Style(SIZE, 0), ["mask", "distance"]
+    whole, _overlap = image_files.images(sheet, tmp_path / "out.png", kinds, style)
+    monkeypatch.setattr(maps, "_AT_ONCE", SIZE * SIZE // 5)
+    shares = []
+    pieces, _overlap = image_files.images(
+        sheet, tmp_path / "out.png", kinds, style, progress=shares.append
+    )
+    assert pieces == whole
+    assert len(shares) > 20 and shares == sorted(set(shares)) and shares[-1] == 1.0
+
+
 def test_the_mask_is_as_wide_as_asked(sheet: Mapped) -> None:
     image = Tile(sheet, (0, 0), Style(SIZE, 0, line_width=0.3)).image("mask") / 65535.0
     true = true_distances(sheet, centres().reshape(-1, 2)).reshape(SIZE, SIZE)

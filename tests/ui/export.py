@@ -9,15 +9,19 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import bpy
+from meander.run import images
 from meander.ui import cut, panels
 from stage import (
     PICTURES,
+    assert_nothing_left_over,
     browser,
     click,
+    key,
     look_at_surface,
     redrawn,
     seen,
     show_panel,
+    status_texts,
     step,
     undo,
     until,
@@ -114,6 +118,34 @@ def images_by_the_dialog() -> Iterator[float]:
     yield from seen("images_written")
 
 
+def images_ended_by_esc() -> Iterator[float]:
+    """Large ones, of which nothing is left."""
+
+    def going() -> bool:
+        return images.going.current is not None
+
+    with bpy.context.temp_override(**window_override()):
+        bpy.ops.meander.maps("INVOKE_DEFAULT", size=2048)
+    yield from until(lambda: browser() is not None, "the dialog")
+    yield from redrawn()
+    area = browser()
+    area.spaces.active.params.directory = os.fsencode(f"{FILES}/")
+    area.spaces.active.params.filename = "never.png"
+    yield from redrawn()
+    buttons = next(region for region in area.regions if region.type == "EXECUTE")
+    click(buttons.x + buttons.width - 50, buttons.y + buttons.height // 2)
+    yield from until(going, "the work begins")
+    assert not bpy.ops.meander.maps.poll(), "a second one must wait"
+    yield from until(lambda: any("Images: " in (text or "") for text in status_texts), "its words")
+    key("ESC", at=(40, 20))
+    yield 0.3
+    assert going(), "outside of the view the key means something else"
+    key("ESC")
+    yield from until(lambda: not going(), "the work ends")
+    assert not list(FILES.glob("never*"))
+    assert_nothing_left_over()  # the browser has timers of Blender's own, which are not counted
+
+
 def story() -> Iterator[float]:
     FILES.mkdir(parents=True, exist_ok=True)
     for path in FILES.iterdir():
@@ -135,3 +167,5 @@ def story() -> Iterator[float]:
     yield from seen_in_the_view()
     step("images, whose format is chosen by the name")
     yield from images_by_the_dialog()
+    step("Esc ends images, and leaves nothing")
+    yield from images_ended_by_esc()

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
 from pathlib import Path
 
 from .. import core
@@ -13,6 +13,8 @@ from .maps import KINDS, MOST_TILES, Mapped, NoPlace, Style, Tile
 
 # From this share of pixels in two places on it is worth a word.
 _OVERLAPPING = 0.005
+# The share of the work at a tile that is done when all values are known, and files are left.
+_VALUES = 0.8
 
 
 def images(
@@ -27,10 +29,26 @@ def images(
     several tiles; and the largest overlap of a tile.
 
     context    where it is cancelled, a core.MeanderError of the status CANCELLED is raised soon
-    progress   called with the share that is done, before every image
+    progress   called with the share that is done, rising, for every few million pixels
 
     Raises NoPlace.
     """
+    work = drawn(mapped, path, kinds, style, context)
+    while True:
+        try:
+            progress(next(work))
+        except StopIteration as end:
+            return end.value
+
+
+def drawn(
+    mapped: Mapped,
+    path: Path,
+    kinds: Sequence[str],
+    style: Style,
+    context: core.Context | None = None,
+) -> Generator[float, None, tuple[dict[Path, bytes], float]]:
+    """The same piece by piece: gives the share that is done, and returns the files."""
     tiles = mapped.tiles()
     problem = problem_of_tiles(tiles)
     if problem is not None:
@@ -39,10 +57,12 @@ def images(
     for done, number in enumerate(tiles):
         tile = Tile(mapped, number, style, context, kinds)
         overlap = max(overlap, tile.overlap)
+        for share in tile.draw():
+            yield (done + _VALUES * share) / len(tiles)
         for place, kind in enumerate(kinds, 1):
-            progress((done + place / (len(kinds) + 1)) / len(tiles))
             name = file_of(path, kind, number, len(tiles) > 1)
             files[name] = tile.file(kind, path.suffix.lower())
+            yield (done + _VALUES + (1.0 - _VALUES) * place / len(kinds)) / len(tiles)
     return files, overlap
 
 

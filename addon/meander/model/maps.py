@@ -34,8 +34,12 @@ SIZES = (16, 16384)
 MOST_TILES = 100
 # How long the edges of a cut are to be between the lines, in spacings.
 DETAIL = 0.125
-# Pixels whose values are computed at a time.
-_AT_ONCE = 1 << 22
+# Pixels whose values are computed at a time: their arrays are kept by the allocator, and not asked
+# of the system anew for each part.
+_AT_ONCE = 1 << 21
+# The shares of the work at a tile that are done when its pixels are known, and when their middles
+# have been looked at and all that is left are means.
+_PIXELS_FOUND, _MIDDLES_LOOKED_AT = 0.1, 0.3
 # Places along each side of a pixel of which it is the mean, where turns meet in it.
 _SAMPLES = 4
 # Pixels wider than this share of the spacing are all means: heights bend within them.
@@ -105,23 +109,30 @@ class Mapped:
         flat = np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
         # One without area is on no pixel; what is not a number is none either.
         middles = self.uv.mean(axis=1)[flat > 0.0]
-        found = np.unique(np.floor(np.clip(middles, -1e6, 1e6)).astype(int), axis=0)
-        return sorted((int(column), int(row)) for column, row in found)
+        squares = np.floor(np.clip(middles, -1e6, 1e6)).astype(np.int64)
+        across = 1 << 32
+        found = np.unique(squares[:, 0] * across + squares[:, 1] + across // 2)
+        return [(int(code // across), int(code % across) - across // 2) for code in found]
 
 
 @dataclass(frozen=True)
 class _Looked:
-    """What is known of places: their faces, the nearest places of the line, and a number for the
-    strand and side that they belong to."""
+    """What is known of places: their faces, and the nearest places of the line."""
 
     face: NDArray[np.int32]
     places: core.CutPlaces
-    turn: NDArray[np.int64]
 
 
-def _parts(pixels: NDArray[np.int64]) -> Iterator[NDArray[np.int64]]:
-    for begin in range(0, len(pixels), _AT_ONCE):
-        yield pixels[begin : begin + _AT_ONCE]
+def _parts(count: int) -> Iterator[tuple[float, slice]]:
+    """Parts of so many pixels, each with the share that is done with it."""
+    for begin in range(0, count, _AT_ONCE):
+        end = min(begin + _AT_ONCE, count)
+        yield end / count, slice(begin, end)
+
+
+def _chosen(part: slice, known: NDArray[np.bool_]) -> slice | NDArray[np.int64]:
+    """The known pixels of a part; where all are, which needs no copies, the part itself."""
+    return part if known.all() else part.start + np.flatnonzero(known)
 
 
 class Tile:
@@ -141,7 +152,9 @@ class Tile:
         context: core.Context | None = None,
         kinds: Sequence[str] = KINDS,
     ) -> None:
-        """kinds   those of KINDS that will be asked for"""
+        """kinds     those of KINDS that will be asked for
+        context   where it is cancelled, whatever takes long raises a core.MeanderError soon
+        """
         self._mapped, self._style, self._kinds = mapped, style, tuple(kinds)
         size = style.size
         # In pixels, whose centres are whole numbers; rows count from the top, as in image files.
@@ -152,49 +165,63 @@ class Tile:
         self.face, self._weights = pixels.faces, pixels.weights
         self.overlap = pixels.twice / pixels.covered if pixels.covered else 0.0
         self._context = context
+        self._images: dict[str, NDArray[np.float32]] | None = None
 
     def values(self, kind: str) -> NDArray[np.float32]:
         """One of the kinds, (size, size) or, of normals and colours, (size, size, 3), all from 0 to
         1; 0 where no face is near. Colours are linear."""
-        if kind not in self._images:
+        if kind not in self._kinds:
             raise KeyError(f"{kind} is none of the kinds of this tile")
+        if self._images is None:
+            for _share in self.draw():
+                pass
         return self._images[kind]
 
     def image(self, kind: str) -> NDArray[np.uint16]:
         """The same with 16 bits a channel; colours are as screens have them (sRGB)."""
         values = self.values(kind)
-        return np.rint((_encoded(values) if kind == "color" else values) * 65535.0).astype(
-            np.uint16
-        )
+        scaled = (_encoded(values) if kind == "color" else values) * 65535.0
+        return np.rint(scaled, out=scaled).astype(np.uint16)
 
     def file(self, kind: str, suffix: str) -> bytes:
         """The same as a file, of one of SUFFIXES."""
         return exr(self.values(kind)) if suffix == ".exr" else png(self.image(kind))
 
-    @cached_property
-    def _images(self) -> dict[str, NDArray[np.float32]]:
+    def draw(self) -> Iterator[float]:
+        """Computes the values piece by piece, for who wants to do something else meanwhile; gives
+        the share that is done after each."""
         size = self._style.size
+        yield _PIXELS_FOUND
         images = {
             kind: np.zeros((size * size, 3) if kind in _VECTORS else size * size, dtype=np.float32)
             for kind in self._kinds
         }
-        turn, along = np.full(size * size, -1, dtype=np.int64), np.zeros(size * size)
-        bent = np.zeros(size * size, dtype=bool)
-        for part in _parts(np.flatnonzero(self.face >= 0)):
+        averaged = [kind for kind in self._kinds if kind != "mask"]  # which is one already
+        looked = _MIDDLES_LOOKED_AT if averaged else 1.0
+        if averaged:
+            turn, along = np.full(size * size, -1, dtype=np.int64), np.zeros(size * size)
+            bent = np.zeros(size * size, dtype=bool)
+        for done, whole in _parts(size * size):
+            part = _chosen(whole, self.face[whole] >= 0)
             at = self._look(self.face[part], self._weights[part])
             for kind, image in images.items():
                 image[part] = self._values(kind, at)
-            turn[part], along[part] = at.turn, at.places.along / self._mapped.spacing
-            width = self._pixel_widths[at.face]
-            coarse = width > _COARSE * self._mapped.spacing
-            bent[part] = coarse | (at.places.distances < width)  # the line may be in it
-        averaged = [kind for kind in self._kinds if kind != "mask"]  # which is one already
+            if averaged:
+                turn[part], along[part] = self._turns(at), at.places.along / self._mapped.spacing
+                width = self._pixel_widths[at.face]
+                coarse = width > _COARSE * self._mapped.spacing
+                bent[part] = coarse | (at.places.distances < width)  # the line may be in it
+            yield _PIXELS_FOUND + (looked - _PIXELS_FOUND) * done
         if averaged:
-            self._average(images, averaged, np.flatnonzero(bent | self._at_borders(turn, along)))
+            pixels = np.flatnonzero(bent | self._at_borders(turn, along))
+            for done in self._average(images, averaged, pixels):
+                yield _MIDDLES_LOOKED_AT + (1.0 - _MIDDLES_LOOKED_AT) * done
         if "normal" in images:
             known = self.face >= 0
             images["normal"][known] = 0.5 + 0.5 * _unit(images["normal"][known] - 0.5)
-        return {kind: image.reshape(size, size, *image.shape[1:]) for kind, image in images.items()}
+        self._images = {
+            kind: image.reshape(size, size, *image.shape[1:]) for kind, image in images.items()
+        }
 
     def _at_borders(self, turn: NDArray[np.int64], along: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Which pixels have a neighbour that belongs to another turn or side, or to none."""
@@ -219,16 +246,18 @@ class Tile:
         images: dict[str, NDArray[np.float32]],
         kinds: Sequence[str],
         pixels: NDArray[np.int64],
-    ) -> None:
-        """Puts the mean over so many places of each of these pixels in the place of its middle."""
+    ) -> Iterator[float]:
+        """Puts the mean over so many places of each of these pixels in the place of its middle, and
+        gives the share that is done."""
         sums = {kind: np.zeros((len(pixels), *images[kind].shape[1:])) for kind in kinds}
         steps = (np.arange(_SAMPLES) + 0.5) / _SAMPLES - 0.5
-        for offset in np.stack(np.meshgrid(steps, steps), axis=2).reshape(-1, 2):
+        offsets = np.stack(np.meshgrid(steps, steps), axis=2).reshape(-1, 2)
+        for passed, offset in enumerate(offsets):
             found = core.map_pixels(
                 self._places - offset, self._style.size, max(self._style.margin, 1),
                 context=self._context,
             )
-            for part in _parts(np.arange(len(pixels))):
+            for done, part in _parts(len(pixels)):
                 face, weights = found.faces[pixels[part]], found.weights[pixels[part]]
                 beyond = face < 0  # of what has no neighbour there, its middle counts
                 face[beyond] = self.face[pixels[part]][beyond]
@@ -236,6 +265,7 @@ class Tile:
                 at = self._look(face, weights)
                 for kind in kinds:
                     sums[kind][part] += self._values(kind, at)
+                yield (passed + done) / len(offsets)
         for kind in kinds:
             images[kind][pixels] = sums[kind] / _SAMPLES**2
 
@@ -244,9 +274,13 @@ class Tile:
         places = core.cut_places(
             cut, self._mapped.spacing, face, weights, "normal" in self._kinds, context=self._context
         )
-        sides = cut.sides[face].astype(np.int64)
-        strands = np.where(places.strands == core.NO_STRAND, 0, places.strands.astype(np.int64) + 1)
-        return _Looked(face, places, 2 * strands + (sides > 0))
+        return _Looked(face, places)
+
+    def _turns(self, at: _Looked) -> NDArray[np.int64]:
+        """A number for the strand and side that places belong to."""
+        strands = at.places.strands
+        numbers = np.where(strands == core.NO_STRAND, 0, strands.astype(np.int64) + 1)
+        return 2 * numbers + (self._mapped.cut.sides[at.face] > 0)
 
     def _values(self, kind: str, at: _Looked) -> NDArray[np.float64]:
         spacing, face = self._mapped.spacing, at.face
@@ -335,11 +369,11 @@ def png(image: NDArray[np.uint16]) -> bytes:
     colour = 2 if image.ndim == 3 else 0
     rows = image.astype(">u2").reshape(height, -1).view(np.uint8)
     # Each row as its difference from the one above: images of distances become a third as long.
-    above = np.zeros_like(rows)
-    above[1:] = rows[:-1]
-    filtered = np.concatenate((np.full((height, 1), 2, dtype=np.uint8), rows - above), axis=1)
+    filtered = np.full((height, 1 + rows.shape[1]), 2, dtype=np.uint8)
+    filtered[0, 1:] = rows[0]
+    np.subtract(rows[1:], rows[:-1], out=filtered[1:, 1:])
     header = struct.pack(">IIBBBBB", width, height, 16, colour, 0, 0, 0)
-    chunks = ((b"IHDR", header), (b"IDAT", zlib.compress(filtered.tobytes(), 6)), (b"IEND", b""))
+    chunks = ((b"IHDR", header), (b"IDAT", zlib.compress(filtered, 6)), (b"IEND", b""))
     return b"\x89PNG\r\n\x1a\n" + b"".join(
         struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
         for name, data in chunks

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -17,16 +17,39 @@ from ..scene.drawn_line import digest_of_curve
 from ..scene.errors import DataError
 from ..scene.layouts import map_of
 from .cut import cut_result
+from .lasting import Activity
 from .plan import Plan
+from .window import Window
 
 
 @dataclass(frozen=True)
 class Images:
-    """Files by their paths, the largest overlap of a square, and what the run would be."""
+    """Files by their paths, the largest overlap of a square, what the run would be, and the name of
+    the result."""
 
     files: dict[Path, bytes]
     overlap: float
     plan: Plan
+    name: str
+
+
+Drawn = Generator[float, None, Images]
+
+
+@dataclass(frozen=True)
+class Going:
+    """Images that are being drawn in a window."""
+
+    images: Drawn
+    window: Window
+
+    def end(self) -> None:
+        """Gives back what it has borrowed."""
+        self.images.close()
+        self.window.give_back()
+
+
+going: Activity[Going] = Activity(Going.end, busy="Images are being written already")
 
 
 def images_of(
@@ -47,17 +70,47 @@ def images_of(
 
     Raises DataError and core.MeanderError.
     """
+    work = drawn_images(result, context, path, kinds, style, uv_map)
+    while True:
+        try:
+            progress(next(work))
+        except StopIteration as end:
+            return end.value
+
+
+def drawn_images(
+    result: bpy.types.Object,
+    context: bpy.types.Context,
+    path: Path,
+    kinds: Sequence[str],
+    style: maps.Style,
+    uv_map: str = "",
+) -> Drawn:
+    """The same piece by piece: gives the share that is done, and returns the images.
+
+    All that it needs of the scene is read at once, so that this may be changed meanwhile.
+    """
     surface, depsgraph = result.meander.surface, context.evaluated_depsgraph_get()
     corners = map_of(surface, depsgraph, uv_map)
     # Details of a cut are in half spacings.
     cut = cut_result(result, context.scene, depsgraph, 2.0 * maps.DETAIL, True)
     style = replace(style, ramp=look.ramp_colours(result))
     mapped = maps.Mapped.of(cut.cut, corners, cut.plan.spacing)
+    files = image_files.drawn(mapped, path, kinds, style)
+    return _drawn(files, cut.plan, result.name, surface.name)
+
+
+def _drawn(
+    files: Generator[float, None, tuple[dict[Path, bytes], float]],
+    plan: Plan,
+    name: str,
+    surface: str,
+) -> Drawn:
     try:
-        files, overlap = image_files.images(mapped, path, kinds, style, progress=progress)
+        found, overlap = yield from files
     except maps.NoPlace as problem:
-        raise DataError(f"The UV map of '{surface.name}' {problem}") from problem
-    return Images(files, overlap, cut.plan)
+        raise DataError(f"The UV map of '{surface}' {problem}") from problem
+    return Images(found, overlap, plan, name)
 
 
 # ------------------------------------------------------------------------------------------------

@@ -8,15 +8,21 @@ from pathlib import Path
 import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 
+from .. import core
 from ..model import image_files, maps
-from ..model.files.whole import naming, whole_files
-from ..run.images import images_of
+from ..model.files.whole import FileError, naming, whole_files
+from ..run.images import Drawn, Going, Images, drawn_images
+from ..run.images import going as going_on
+from ..run.window import Window
 from ..scene.errors import DataError
 from .file_names import file_named
 from .on_result import OnResult, result_of
-from .refusing import refusing, sentence_of
+from .refusing import refuse, refusing, sentence_of
 from .registered import registration
+from .watched import over_view
 
+# Over a 3D view; elsewhere keys do what they always do.
+KEYS = "Esc: Cancel"
 _TIPS = {
     "mask": "White line on black",
     "distance": "From the line: black on it, white a spacing away",
@@ -135,14 +141,29 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
             self._take_format_of_name()
         result, path = result_of(context), self._with_suffix()
         style = maps.Style(self.size, self.margin, self.line_width, self.depth)
-        manager = context.window_manager
-        manager.progress_begin(0.0, 1.0)  # the mouse pointer shows it
+        work = drawn_images(result, context, path, kinds, style, self.uv_map)
+        if self.options.is_invoke and not bpy.app.background:
+            going_on.begin(Going(work, Window(context, KEYS)))
+            context.window_manager.modal_handler_add(self)
+            return {"RUNNING_MODAL"}
+        while (found := self._next(context, work)) is None:
+            pass
+        self._write(found)
+        return {"FINISHED"}
+
+    def _next(
+        self, context: bpy.types.Context, work: Drawn, window: Window | None = None
+    ) -> Images | None:
+        """One piece of the work; the images where that was the last."""
         try:
-            found = images_of(
-                result, context, path, kinds, style, self.uv_map, manager.progress_update
-            )
-        finally:
-            manager.progress_end()
+            share = next(work)
+        except StopIteration as end:
+            return end.value
+        if window is not None and window.text_due(False):
+            window.show(context, f"Images: {share:.0%}", share)
+        return None
+
+    def _write(self, found: Images) -> None:
         images = found.files
         with whole_files(list(images)) as temporary:
             for image, (place, data) in zip(temporary, images.items(), strict=True):
@@ -152,8 +173,36 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
         if warning:
             self.report({"WARNING"}, sentence_of(warning))
         files = "1 image" if len(images) == 1 else f"{len(images)} images"
-        self.report({"INFO"}, f"{result.name}: {files} in {path.parent}")
-        return {"FINISHED"}
+        self.report({"INFO"}, f"{found.name}: {files} in {Path(self.filepath).parent}")
+
+    def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        going = going_on.current
+        if going is None:  # ended by unregister
+            return {"CANCELLED"}
+        if event.type == "ESC" and event.value == "PRESS" and over_view(context, event):
+            going_on.end()
+            return {"CANCELLED"}
+        if event.type != "TIMER":
+            return {"PASS_THROUGH"}
+        try:
+            found = self._next(context, going.images, going.window)
+            if found is None:
+                return {"PASS_THROUGH"}
+            going_on.end()
+            self._write(found)
+            return {"FINISHED"}
+        except (DataError, core.MeanderError, FileError) as error:
+            self.cancel(context)  # where it did not get as far as the files
+            refuse(self, context.active_object, sentence_of(error))
+            return {"CANCELLED"}
+        except BaseException:
+            # A defect of ours must not leave a timer and a run behind.
+            self.cancel(context)
+            raise
+
+    def cancel(self, _context: bpy.types.Context) -> None:
+        """Called by Blender when it closes the window or the file under the work."""
+        going_on.end()
 
 
 register, unregister = registration(MEANDER_OT_maps)

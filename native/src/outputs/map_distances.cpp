@@ -27,6 +27,7 @@ struct FaceOfMap {
   std::array<Vec3, 3> places;
   std::array<double, 3> from_turn, to_line, along;
   uint32_t strand = 0;
+  bool alone = true;  // no other turn meets it at a corner
 };
 
 double between(const std::array<double, 3>& values, const std::array<double, 3>& w) {
@@ -94,10 +95,8 @@ class Measuring {
     take(own, point, found);
     const double straight = between(face.from_turn, w), chords = between(face.to_line, w);
     const double bending = chords > 0 ? straight / chords : 1;
-    for (uint32_t k = 0; k < 3; ++k) {
-      for (const Hint& other : turns_.at(cut_.faces[3 * f + k])) {
-        if (!turns_.same_turn(other, {face.strand, face.along[k]})) take(other, point, found);
-      }
+    if (!face.alone) {
+      for_others(f, face, [&](const Hint& other) { take(other, point, found); });
     }
     found.way = point - found.foot.place;
     found.distance = std::min(std::sqrt(found.foot.squared) * bending, cut_.farthest);
@@ -117,6 +116,16 @@ class Measuring {
       face.to_line[k] = face.from_turn[k];
       if (line_.has(face.strand)) {
         face.to_line[k] = std::sqrt(line_.foot(face.strand, face.along[k], face.places[k]).squared);
+      }
+    }
+    if (line_.has(face.strand)) for_others(f, face, [&](const Hint&) { face.alone = false; });
+  }
+  /// Calls visit(hint) for the other turns that meet a face at its corners.
+  template <class Visit>
+  void for_others(size_t f, const FaceOfMap& face, const Visit& visit) const {
+    for (size_t k = 0; k < 3; ++k) {
+      for (const Hint& other : turns_.at(cut_.faces[3 * f + k])) {
+        if (!turns_.same_turn(other, {face.strand, face.along[k]})) visit(other);
       }
     }
   }
