@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "flow/room.h"
+#include "mesh/strips.h"
 #include "outputs/gaps.h"
 #include "outputs/statistics.h"
 #include "test_seeds.h"
@@ -137,6 +139,18 @@ Mesh star(uint32_t arms, double length, double width, uint32_t n) {
   return mesh;
 }
 
+/// A disc with so many teeth, which are as narrow as they are many.
+Mesh toothed_disc(uint32_t teeth, double depth) {
+  Mesh mesh;
+  mesh.add(0, 0, 0);
+  for (uint32_t k = 0; k < 2 * teeth; ++k) {
+    const double angle = kPi * k / teeth, radius = k % 2 == 0 ? 1 : 1 - depth;
+    mesh.add(radius * std::cos(angle), radius * std::sin(angle), 0);
+  }
+  for (uint32_t k = 0; k < 2 * teeth; ++k) mesh.face(0, 1 + k, 1 + (k + 1) % (2 * teeth));
+  return mesh;
+}
+
 /// The share of the surface's area that is farther than 1.6 r from the curve, through space: these surfaces lie flat,
 /// or are tubes. Points of the curve are a tenth of r apart.
 double empty_share(const Surface& s, const Curve& curve, double r) {
@@ -241,6 +255,17 @@ TEST_P(FilledLong, FromAStrokeAndFromNothing) {
 INSTANTIATE_TEST_SUITE_P(Filled, FilledLong, testing::Range<size_t>(0, long_surfaces().size()));
 
 /// One that has room for a line and its way back.
+TEST(Filled, WhatHasALongBoundaryIsNoStrip) {
+  for (const double depth : {0.05, 0.3}) {
+    const Surface disc = make_surface(toothed_disc(1000, depth));
+    EXPECT_FALSE(strips_of(disc)[0].is_long()) << depth;
+    EXPECT_FALSE(too_narrow_to_grow(disc, RadiusField(0.5 * kSpacing))) << depth;
+  }
+  for (const Mesh& mesh : {strip(20, 0.1, 50), needle(20, 0.1, 50), ring(2, 0.1, 200), spiral(4, 0.4, 0.1, 400)}) {
+    EXPECT_TRUE(strips_of(make_surface(mesh))[0].is_long());
+  }
+}
+
 TEST(Filled, AStripOfTwoSpacingsFromNothing) {
   const auto surface = std::make_shared<const Surface>(make_surface(strip(20, 2 * kSpacing, 60)));
   Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));

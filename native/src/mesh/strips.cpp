@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/strips.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "base/front_search.h"
+#include "base/segment_distance.h"
+#include "base/variation.h"
 
 namespace meander {
 namespace {
@@ -55,6 +58,45 @@ Farthest farthest_from(const Surface& surface, const Neighbours& neighbours, con
   return found;
 }
 
+/// Places spread over the area of a component, and how many of them may be farther from the boundary than so many
+/// widths of a strip: no place of a strip is farther than half a width, of a needle than one.
+constexpr uint32_t kPlaces = 64, kMostDeep = kPlaces / 4;
+constexpr double kDeep = 2;
+
+/// Places of each component that is a long strip by its area, as many in each kPlaces-th of that.
+std::vector<std::vector<Vec3>> places_in(const Surface& surface, const std::vector<Strip>& strips,
+                                         const std::vector<double>& area) {
+  std::vector<std::vector<Vec3>> places(strips.size());
+  std::vector<double> passed(strips.size(), 0);
+  for (uint32_t f = 0; f < surface.face_count(); ++f) {
+    const uint32_t k = surface.component(f);
+    if (!strips[k].is_long()) continue;
+    passed[k] += surface.face_area(f);
+    while (places[k].size() < kPlaces &&
+           (static_cast<double>(places[k].size()) + 0.5) * area[k] < kPlaces * passed[k]) {
+      const auto number = static_cast<uint32_t>(places[k].size());
+      double u = number_of_variation(1, number), v = number_of_variation(2, number);
+      if (u + v > 1) u = 1 - u, v = 1 - v;
+      places[k].push_back(position(surface, SurfacePoint{f, {u, v}}));
+    }
+  }
+  return places;
+}
+
+/// Whether more of these places are deep inside than of a strip so wide.
+bool has_depth(const Surface& surface, const std::vector<Vec3>& places, const std::vector<HalfEdge>& boundary,
+               double width) {
+  uint32_t deep = 0;
+  for (uint32_t n = 0; n < places.size() && deep <= kMostDeep && deep + places.size() > kMostDeep + n; ++n) {
+    deep += std::ranges::none_of(boundary, [&](HalfEdge e) {
+      const Triangle& t = surface.face(face_of(e));
+      const Vec3 &from = surface.position(t[corner_of(e)]), &to = surface.position(t[next_corner(corner_of(e))]);
+      return distance_to_segment(places[n], from, to) < kDeep * width;
+    });
+  }
+  return deep > kMostDeep;
+}
+
 }  // namespace
 
 std::vector<Strip> strips_of(const Surface& surface) {
@@ -67,6 +109,15 @@ std::vector<Strip> strips_of(const Surface& surface) {
     if (!(apart > 0)) continue;
     const double width = mean - std::sqrt(apart);
     strips[k] = {width, 2 * mean - width};
+  }
+  const std::vector<std::vector<Vec3>> places = places_in(surface, strips, area);
+  std::vector<std::vector<HalfEdge>> boundary(strips.size());
+  for (const HalfEdge e : surface.boundary()) {
+    const uint32_t k = surface.component(face_of(e));
+    if (strips[k].is_long()) boundary[k].push_back(e);
+  }
+  for (size_t k = 0; k < strips.size(); ++k) {
+    if (has_depth(surface, places[k], boundary[k], strips[k].width)) strips[k] = {};
   }
   return strips;
 }

@@ -22,7 +22,8 @@ struct Strip {
   bool is_long() const { return length > kLeastStrip * width; }
 };
 
-/// Every component. Rings, spirals and the arms of a star are long ones; what has no boundary is none.
+/// Every component. Rings, spirals and the arms of a star are long ones. What has no boundary is none, nor is what only
+/// has a long one, as a disc with a thousand teeth: a quarter of its area is farther from it than two such widths.
 std::vector<Strip> strips_of(const Surface& surface);
 
 /// Whether a line can run along each of these strips from end to end: not round a ring, nor into all arms of a star.

@@ -25,26 +25,27 @@ constexpr double kRounding = 1e-6;
 
 }  // namespace
 
-SegmentsOfFaces::SegmentsOfFaces(const Surface& surface, const Curve& curve) : first_(surface.face_count() + 1, 0) {
+PiecesOfFaces::PiecesOfFaces(const Surface& surface, const Curve& curve) : first_(surface.face_count() + 1, 0) {
   const auto for_all = [&](const auto& visit) {
     for (uint32_t i = 0; i < curve.size(); ++i) {
-      visit(curve.nodes[i].face, i);
+      visit(curve.nodes[i].face, Piece{i, 0});
       if (!curve.has_segment(i)) continue;
-      for (const Crossing& crossing : curve.paths[i]) visit(face_of(crossing.twin), i);
+      uint32_t crossings = 0;
+      for (const Crossing& crossing : curve.paths[i]) visit(face_of(crossing.twin), Piece{i, ++crossings});
     }
   };
-  for_all([&](uint32_t face, uint32_t) { ++first_[face + 1]; });
+  for_all([&](uint32_t face, Piece) { ++first_[face + 1]; });
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  segments_.resize(first_.back());
+  pieces_.resize(first_.back());
   std::vector<uint32_t> next = first_;
-  for_all([&](uint32_t face, uint32_t segment) { segments_[next[face]++] = segment; });
+  for_all([&](uint32_t face, Piece piece) { pieces_[next[face]++] = piece; });
 }
 
 Emptiness::Emptiness(const Surface& surface, const Curve& curve, std::span<const Vec3> nodes,
                      const RadiusField& radius, const SurfacePatches* patches)
     : surface_(surface), curve_(curve), nodes_(nodes), radius_(radius), patches_(patches) {
   for (const PathShape& shape : curve.shapes) longest_half_ = std::max(longest_half_, 0.5 * shape.length);
-  if (patches) segments_.emplace(surface, curve);
+  if (patches) pieces_.emplace(surface, curve);
   std::vector<std::vector<uint32_t>> of_component(patches ? surface.component_count() : 1);
   for (uint32_t i = 0; i < curve.size(); ++i) {
     of_component[patches ? surface.component(curve.nodes[i].face) : 0].push_back(i);
@@ -115,6 +116,15 @@ double Emptiness::distance_to_path(const Vec3& x, uint32_t segment) const {
   return std::min(distance, distance_to_segment(x, from, nodes_[curve_.next(segment)]));
 }
 
+double Emptiness::distance_to_piece(const Vec3& x, PiecesOfFaces::Piece piece) const {
+  const auto [segment, crossings] = piece;
+  if (!curve_.has_segment(segment)) return (nodes_[segment] - x).norm();
+  const auto& path = curve_.paths[segment];
+  const Vec3 from = crossings == 0 ? nodes_[segment] : position(surface_, path[crossings - 1]);
+  const Vec3 to = crossings == path.size() ? nodes_[curve_.next(segment)] : position(surface_, path[crossings]);
+  return distance_to_segment(x, from, to);
+}
+
 /// Whether the nearest piece of the curve, of a segment or else a node, is on the same sheet as a point.
 bool Emptiness::reaches(const SurfacePoint& p, double distance, uint32_t segment, uint32_t node) const {
   if (segment == kNone) return is_connected(p, curve_.nodes[node].face, nodes_[node], distance);
@@ -172,9 +182,8 @@ bool Emptiness::any_on_surface(const SurfacePoint& p, const Vec3& goal, double r
   search.offer(p.face, 0);
   while (const auto next = search.next()) {
     const uint32_t face = *next;
-    for (const uint32_t segment : segments_->of(face)) {
-      const double d = curve_.has_segment(segment) ? distance_to_path(x, segment) : (nodes_[segment] - x).norm();
-      if (d < reach) return true;
+    for (const PiecesOfFaces::Piece piece : pieces_->of(face)) {
+      if (distance_to_piece(x, piece) < reach) return true;
     }
     const Triangle& corners = surface_.face(face);
     for (uint32_t k = 0; k < 3; ++k) {
@@ -200,10 +209,8 @@ double Emptiness::distance_on_surface(const SurfacePoint& p, double most) const 
     const uint32_t face = *next;
     const double radius = search.cost(face);
     if (!(radius < std::min(most, distance))) break;
-    for (const uint32_t segment : segments_->of(face)) {
-      const double d = curve_.has_segment(segment) ? distance_to_path(x, segment)
-                                                   : (nodes_[segment] - x).norm();
-      distance = std::min(distance, std::max(radius, d));
+    for (const PiecesOfFaces::Piece piece : pieces_->of(face)) {
+      distance = std::min(distance, std::max(radius, distance_to_piece(x, piece)));
     }
     const Triangle& corners = surface_.face(face);
     for (uint32_t k = 0; k < 3; ++k) {

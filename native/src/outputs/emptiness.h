@@ -28,17 +28,23 @@ struct Gap {
   bool narrow = false;  ///< the surface is narrower than a spacing there, as far as that has been asked
 };
 
-/// The segments that pass through every face.
-class SegmentsOfFaces {
+/// The pieces of a curve that lie in every face.
+class PiecesOfFaces {
  public:
-  SegmentsOfFaces(const Surface& surface, const Curve& curve);
-  /// In rising order.
-  std::span<const uint32_t> of(uint32_t face) const {
-    return {segments_.data() + first_[face], segments_.data() + first_[face + 1]};
+  /// The piece after so many crossings of a segment; the last node of an open strand is one too.
+  struct Piece {
+    uint32_t segment, crossings;
+  };
+
+  PiecesOfFaces(const Surface& surface, const Curve& curve);
+  /// In the order of the curve.
+  std::span<const Piece> of(uint32_t face) const {
+    return {pieces_.data() + first_[face], pieces_.data() + first_[face + 1]};
   }
 
  private:
-  std::vector<uint32_t> first_, segments_;
+  std::vector<uint32_t> first_;
+  std::vector<Piece> pieces_;
 };
 
 /// Nodes of a curve, in rising order, and a tree of where they are.
@@ -88,6 +94,7 @@ class Emptiness {
     return *parts_[part_of_component_.empty() ? 0 : part_of_component_[surface_.component(p.face)]];
   }
   double distance_to_path(const Vec3& x, uint32_t segment) const;
+  double distance_to_piece(const Vec3& x, PiecesOfFaces::Piece piece) const;
   bool reaches(const SurfacePoint& p, double distance, uint32_t segment, uint32_t node) const;
   bool is_connected(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const;
   double distance_on_surface(const SurfacePoint& p, double most) const;
@@ -98,7 +105,7 @@ class Emptiness {
   std::span<const Vec3> nodes_;
   const RadiusField& radius_;
   const SurfacePatches* patches_;
-  std::optional<SegmentsOfFaces> segments_;  // where distances are along the surface
+  std::optional<PiecesOfFaces> pieces_;  // where distances are along the surface
   std::vector<std::unique_ptr<const NodesApart>> parts_;
   std::vector<uint32_t> part_of_component_;  // empty: there is one for all
   double longest_half_ = 0;  // of the longest segment
