@@ -37,7 +37,7 @@ STYLES = ("portrait", "engraving", "scribble")
 # More places of a grid would need gigabytes, and no pen shows them.
 _MOST_PLACES = 30_000_000
 # Cells, in widths of the line. With 1 a page of line art is .0246 off where it grows, and .0203 in
-# rows, with .7 .0184 and .0199, and with .5 as with .7.
+# rows, with .7 .0184 and .0199, and with .5 .0199 in rows.
 _CELL = 0.7
 # Of the length of a segment, in half spacings: half as much again as the library's own is a third
 # fewer nodes, for a thousandth of the range in tone.
