@@ -54,8 +54,8 @@ struct Couplings {
   void end_row() { start.push_back(static_cast<uint32_t>(neighbour.size())); }
 };
 
-/// Rows in pairs, or alone where no neighbour was left. Where that leaves most of them, as around a hub that is the only
-/// neighbour of thousands, those that are alone join the pair of the neighbour that they are tied to most.
+/// Rows in pairs, or alone where no neighbour was left. Where that leaves most of them, as around a hub that is the
+/// only neighbour of thousands, those that are alone join the pair of the neighbour that they are tied to most.
 template <class Weight>
 struct Pairs {
   static constexpr bool kTurns = !std::is_same_v<Weight, double>;
