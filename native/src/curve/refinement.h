@@ -39,7 +39,7 @@ class Refinement {
   bool refine(const Surface& surface, Curve& curve, const NodeData<double>& target, ThreadPool& pool,
               NodeData<uint32_t>& origin, double most_turn = kAnyTurn);
 
- /// Hands the memory of a call on.
+  /// Hands the memory of a call on.
   void hand_on() noexcept;
 
  private:

@@ -54,7 +54,7 @@ class Retraction {
   /// `spare`  any other curve, for its memory; what it says is lost
   void straighten(const Surface& surface, Curve& curve, Curve& spare, ThreadPool& pool, MoveSeconds& seconds);
 
- /// Hands the memory of a call on, but for the traces, each of which keeps its own.
+  /// Hands the memory of a call on, but for the traces, each of which keeps its own.
   void hand_on() noexcept;
   /// The same for all memory.
   void hand_all_on() noexcept {

@@ -28,7 +28,7 @@ class SegmentRefiner {
   /// it: at first, and when the surface has moved.
   void cut_guides(FlowState& state, const IterationPlan& plan, ThreadPool& pool);
 
- /// Hands the memory of a call on.
+  /// Hands the memory of a call on.
   void hand_on() noexcept {
     refinement_.hand_on();
     meander::hand_on(targets_, origin_);

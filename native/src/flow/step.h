@@ -22,7 +22,7 @@ class Step {
   const NodeData<Vec2>& find(const IterationPlan& plan, const FlowState& state, const MedialState& medial,
                              const Weights& weights, StrandSolver& strands, ThreadPool& pool);
 
- /// Hands the memory of a call on.
+  /// Hands the memory of a call on.
   void hand_on() noexcept { meander::hand_on(driving_radii_, displacement_); }
 
  private:
