@@ -90,7 +90,7 @@ struct Pairs {
       of[rows.neighbour[best]] = of[i];
       if constexpr (kTurns) carry[rows.neighbour[best]] = unit(conj(rows.weight[best]));
     }
-    if (count > kMostLeft * rows.size()) join_alone(rows, poll);
+    if (rows.size() > kSmall && count > kMostLeft * rows.size()) join_alone(rows, poll);
   }
 
   /// The system of the pairs (Galerkin's).
@@ -127,6 +127,8 @@ struct Pairs {
  private:
   /// Pairs that leave a larger share of the rows than this hardly make a level coarser.
   static constexpr double kMostLeft = 0.75;
+  /// So few rows cost nothing, however many levels they take, and pairs keep coarse values apart longer.
+  static constexpr uint32_t kSmall = 1024;
 
   void join_alone(const Couplings<Weight>& rows, CancelToken& poll) {
     std::vector<uint32_t> size(count, 0);
