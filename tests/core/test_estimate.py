@@ -174,7 +174,8 @@ def test_a_full_start_takes_less_than_half_the_time():
     options.start = core.Start.FULL
     full = core.estimate_cost(extent, options)
     assert 0.2 < full.processor_seconds / grown.processor_seconds < 0.5
-    assert full.nodes == grown.nodes
+    # Its segments are longer: five models and two tori have .84 to .95 of the nodes.
+    assert 0.8 < full.nodes / grown.nodes < 0.95
 
 
 @pytest.mark.parametrize("preset", ["even", "paper", "finest"])

@@ -19,6 +19,8 @@ namespace {
 
 /// The length of a finished curve over area by spacing; without a polish it stays shorter.
 constexpr double kLength = 1.047, kLengthUnpolished = 0.967;
+/// The nodes of a curve that fills the surface from its start over those of one that grows: its segments are longer.
+constexpr double kFullNodes = 0.87;
 /// How often a line of any direction crosses edges: for each unit of its length, and each unit of edge length on
 /// each unit of area (Crofton).
 constexpr double kCrossings = 2 / std::numbers::pi;
@@ -27,16 +29,15 @@ constexpr double kCrossings = 2 / std::numbers::pi;
 constexpr double kIterations = 98, kUnpolishedIterations = 33;
 constexpr double kFewNodes = 3000, kIterationGrowth = 0.2;
 /// What the 53 of a curve that fills the surface from its start, and the laying of it, cost in those of one that grows,
-/// which is short for half of them, likewise: .49 of the time of bunny, .43 of stuffedtoy, and 125 s of 2.6 million
-/// nodes on a bunny of 59,664 faces.
-constexpr double kFullIterations = 54, kFullGrowth = 0.08;
+/// which is short for half of them, likewise: from .25 s of 5,600 nodes on a torus to 660 s of 10 million.
+constexpr double kFullIterations = 80, kFullGrowth = 0.04;
 /// Processor seconds of an iteration for each node, and for each point, whose faces have to be fetched.
-constexpr double kSecondsPerNode = 0.17e-6, kSecondsPerPoint = 0.2e-6;
+constexpr double kSecondsPerNode = 0.21e-6, kSecondsPerPoint = 0.25e-6;
 /// And for each node and radian of curvature, in absolute value, of a disc of radius r, up to kMostRadians: the
 /// more it is curved, the more distances along the surface are measured. What is rougher is smoothed, and takes no
 /// longer for it. Displaced grids of 7,200 and 80,000 faces at two spacings, reliefs, spot and two control meshes:
-/// .15 to 12 rad, .4 to 2.4 us.
-constexpr double kSecondsPerRadian = 1.2e-6, kMostRadians = 1.4;
+/// .15 to 12 rad, .5 to 3 us.
+constexpr double kSecondsPerRadian = 1.5e-6, kMostRadians = 1.4;
 /// Processor seconds for each face, once.
 constexpr double kSecondsPerFace = 0.25e-6;
 
@@ -45,8 +46,8 @@ constexpr double kSurfacePerFace = 195, kPatchesPerFace = 95, kFlowPerFace = 12;
 /// Bytes for each node of a flow, and what a polish and distances along the surface add to them.
 constexpr double kBytesPerNode = 1165, kPolishPerNode = 420, kGeodesicPerNode = 165;
 /// Long lists hand their memory on from step to step (base/page_store.h), so there are only those of one step at once:
-/// bytes for each node then, and for all that is no such list. Tori of 100,000 to 1,000,000 nodes.
-constexpr double kLongPerNode = 900, kBesideLong = 50e6;
+/// bytes for each node then, and for all that is no such list. Tori of 100,000 to 10,000,000 nodes.
+constexpr double kLongPerNode = 1000, kBesideLong = 80e6;
 
 double iterations_of(double nodes, const FlowSettings& s) {
   const double growth = elementary::pow(std::max(1.0, nodes / kFewNodes), kIterationGrowth);
@@ -98,7 +99,7 @@ Cost expected_cost(const Extent& extent, const FlowSettings& settings) {
   const bool along_surface = settings.medial_axis == MedialAxis::kGeodesic;
   Cost cost;
   cost.length = per_area * extent.length_area;
-  cost.nodes = per_area * extent.node_area / (kMeanSegment * h);
+  cost.nodes = (settings.full_start ? kFullNodes : 1) * per_area * extent.node_area / (kMeanSegment * h);
   // What is too large for a number is still none times no edges.
   constexpr double kMost = std::numeric_limits<double>::max();
   cost.points = cost.nodes + kCrossings * std::min(cost.length, kMost) * std::min(extent.edge_density, kMost);
