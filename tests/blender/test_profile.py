@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
+import base64
+
 import bpy
 import numpy as np
 import pytest
 import scenes
 from meander import core
 from meander.model import profile
+from meander.scene import points as scene_points
 from meander.scene.profile import set_tilt_and_radius
 
 
@@ -111,6 +114,17 @@ def test_radius_follows_the_room() -> None:
     coarse = np.median([radius for z, radius in places if z < -0.5])
     assert 0.8 < coarse < 1.2
     assert 0.35 < fine < 0.7
+
+
+def test_the_room_of_each_point_is_kept_and_read_again() -> None:
+    result = scenes.fill(scenes.sphere(), 0.5)
+    count = sum(len(spline.points) for spline in result.data.splines)
+    kept = scene_points.medial_radii_of(result, count, np.eye(4))
+    assert kept.shape == (count, 2) and 0.2 < np.median(kept) < 0.3
+    assert scene_points.medial_radii_of(result, count + 1, np.eye(4)) is None
+    other = base64.b85encode(kept.astype("<f4").tobytes()).decode("ascii")
+    result.meander.figures.room = other
+    assert np.array_equal(scene_points.medial_radii_of(result, count, np.eye(4)), kept)
 
 
 def test_a_ribbon_lies_flat_on_the_faces_of_a_cube():

@@ -21,39 +21,60 @@ def tilts(points: np.ndarray, normals: np.ndarray, cyclic: bool) -> np.ndarray:
 
     points, normals  (n, 3), in the curve's own space; normals need no unit length
     """
-    tangents = directions(points, cyclic)
+    # Millions of points: a row for each axis is three times as fast as one for each point.
+    tangents = _directions(_rows(points), cyclic)
     up = _up(tangents)
     # Blender's frame has Z against the tangent, so X is the normal where Y is this.
-    across = np.cross(normals, tangents)
-    lengths = np.linalg.norm(across, axis=1, keepdims=True)
-    across = np.divide(across, lengths, out=up.copy(), where=lengths > 0.0)
-    sine = (np.cross(up, across) * tangents).sum(axis=1)
-    cosine = (up * across).sum(axis=1)
+    across = _cross(_rows(normals), tangents)
+    across = _unit(across, out=up.copy())
+    sine = _dot(_cross(up, across), tangents)
     # No turns of more than half a circle between neighbours: what blends them is short.
-    return np.unwrap(np.arctan2(sine, cosine))
+    return np.unwrap(np.arctan2(sine, _dot(up, across)))
 
 
 def directions(points: np.ndarray, cyclic: bool) -> np.ndarray:
     """Unit directions at the points, as Blender has them: halving the angle of both pieces."""
-    pieces = _unit(np.roll(points, -1, axis=0) - points)
-    before = np.roll(pieces, 1, axis=0)
+    return _directions(_rows(points), cyclic).T
+
+
+# Below, vectors are columns (3, n).
+
+
+def _directions(points: np.ndarray, cyclic: bool) -> np.ndarray:
+    pieces = _unit(np.roll(points, -1, axis=1) - points)
+    before = np.roll(pieces, 1, axis=1)
     if not cyclic:
-        pieces[-1] = before[-1]
-        before[0] = pieces[0]
+        pieces[:, -1] = before[:, -1]
+        before[:, 0] = pieces[:, 0]
     return _unit(pieces + before)
 
 
-def _unit(vectors: np.ndarray) -> np.ndarray:
-    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
-    return np.divide(vectors, lengths, out=np.zeros_like(vectors), where=lengths > 0.0)
+def _rows(vectors: np.ndarray) -> np.ndarray:
+    return np.ascontiguousarray(np.asarray(vectors, dtype=np.float64).T)
+
+
+def _dot(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return np.stack(
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    )
+
+
+def _unit(vectors: np.ndarray, out: np.ndarray | None = None) -> np.ndarray:
+    """out   what stays where there is no direction; None: zeros"""
+    lengths = np.sqrt(_dot(vectors, vectors))
+    out = np.zeros_like(vectors) if out is None else out
+    return np.divide(vectors, lengths, out=out, where=lengths > 0.0)
 
 
 def _up(tangents: np.ndarray) -> np.ndarray:
     """The Y axis of the Z-Up frame: as near to the Z axis as it can be."""
-    z = tangents[:, 2]
-    up = np.column_stack([-tangents[:, 0] * z, -tangents[:, 1] * z, 1.0 - z * z])
-    vertical = np.abs(tangents[:, 0]) + np.abs(tangents[:, 1]) < _VERTICAL
-    up = _unit(up)
-    up[vertical] = [0.0, 1.0, 0.0]
-    up[vertical & (z > 0.0)] = [0.0, -1.0, 0.0]
+    x, y, z = tangents
+    up = _unit(np.stack([-x * z, -y * z, 1.0 - z * z]))
+    vertical = np.abs(x) + np.abs(y) < _VERTICAL
+    up[:, vertical] = [[0.0], [1.0], [0.0]]
+    up[:, vertical & (z > 0.0)] = [[0.0], [-1.0], [0.0]]
     return up

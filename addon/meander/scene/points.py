@@ -149,7 +149,7 @@ def store_medial_radii(result: bpy.types.Object, radii: np.ndarray, matrix: np.n
     """Keeps r+ and r- (n, 2) of a result's points, in the units of `matrix`."""
     scale = mean_scale(matrix)
     packed = np.asarray(radii / scale, dtype="<f4").tobytes()
-    result.meander.figures.room = base64.b85encode(packed).decode("ascii")
+    result.meander.figures.room = base64.b64encode(packed).decode("ascii")
 
 
 def clear_medial_radii(result: bpy.types.Object) -> None:
@@ -159,8 +159,11 @@ def clear_medial_radii(result: bpy.types.Object) -> None:
 
 def medial_radii_of(result: bpy.types.Object, count: int, matrix: np.ndarray) -> np.ndarray | None:
     """r+ and r- in world units of a result's `count` points; None where they have been changed."""
+    text = result.meander.figures.room
+    # Files may hold base 85, which takes a second for 100,000 points.
+    decode = base64.b85decode if len(text) == 10 * count else base64.b64decode
     try:
-        packed = base64.b85decode(result.meander.figures.room)
+        packed = decode(text)
     except ValueError:
         return None
     if not packed or len(packed) != 8 * count:
