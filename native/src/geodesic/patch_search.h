@@ -85,10 +85,13 @@ class PatchSearch {
 
   /// Finds the patches q that are no farther than most(q) from where it starts. A shorter way to a patch may be found
   /// after it has handed a longer one on, which is rare where all steps are about as long; keeping the order costs
-  /// more.
+  /// more. Ends early where `targets` are given and all of them have been found.
   template <class Most>
-  void spread(const PatchSteps& steps, const Most& most) {
+  void spread(const PatchSteps& steps, const Most& most, std::span<const uint32_t> targets = {}) {
+    const bool whole = targets.empty();
     for (size_t k = 0; k < front_.size(); ++k) {
+      while (!targets.empty() && reached(targets.back())) targets = targets.first(targets.size() - 1);
+      if (targets.empty() && !whole) return;
       const uint32_t q = front_[k];
       const double distance = distance_[q];
       for (const PatchSteps::Step& step : steps.from(q)) {

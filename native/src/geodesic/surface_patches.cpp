@@ -66,6 +66,7 @@ class SurfacePatches::Comparison {
   /// What one comparison after another needs.
   struct Scratch {
     std::vector<std::pair<uint32_t, double>> near;  // patches, and squared distances through space
+    std::vector<uint32_t> asked;                    // of those, for which it matters whether they are reached
     PatchSearch search;
   };
 
@@ -107,15 +108,20 @@ class SurfacePatches::Comparison {
     traits.opposed = opposed;
     traits.hides = hides;
     traits.hides_same_side = hides_same_side;
-    // All patches that are not too far from p to be seen from it.
+    const auto curled = [&](uint32_t q) { return patches_.normal_[p].dot(patches_.normal_[q]) < kCurled; };
+    scratch.asked.clear();
+    for (const auto& [q, squared] : near) {
+      if (std::sqrt(squared) <= kReach * r || curled(q)) scratch.asked.push_back(q);
+    }
+    // Whether these are not too far from p to be seen from it.
     const double most = (kHidden + Cutter::kSize) * r;
     search.start_from(p);
-    search.spread(steps_, [&](uint32_t) { return most; });
+    search.spread(steps_, [&](uint32_t) { return most; }, scratch.asked);
     for (const auto& [q, squared] : near) {
       const double apart = std::sqrt(squared);
       if (!search.reached(q)) {
         if (apart <= kReach * r) hidden.push_back(q);
-      } else if (patches_.normal_[p].dot(patches_.normal_[q]) < kCurled) {
+      } else if (curled(q)) {
         note_crease(p, apart, Crease::kBlunt, !edged);
       }
     }
