@@ -342,6 +342,19 @@ TEST(Gaps, LookingForThemChangesNothing) {
   EXPECT_EQ(looked.pieces(), left_alone.pieces());
 }
 
+TEST(Gaps, AContextTellsHowFarTheSearchIs) {
+  FlowRun run(sphere(3), 0.15);
+  run.steps(20);
+  meander_context* context = new_context();
+  Result<meander_gaps> found;
+  EXPECT_EQ(meander_context_progress(context), 0);
+  EXPECT_EQ(meander_flow_find_gaps(run.flow(), 0, &found, context, nullptr), MEANDER_STATUS_OK);
+  EXPECT_EQ(meander_context_progress(context), 1);
+  meander_context_cancel(context);
+  EXPECT_EQ(meander_flow_find_gaps(run.flow(), 0, &found, context, nullptr), MEANDER_STATUS_CANCELLED);
+  meander_context_destroy(context);
+}
+
 TEST(Gaps, BadArgumentsAreRefused) {
   FlowRun run(sphere(2), 0.3);
   Result<meander_gaps> found;

@@ -40,7 +40,7 @@ from .grown import Grown, grown_of, length_of, written
 from .input import Input
 from .place import Place
 from .reading import read_input
-from .watching import LARGE, summary
+from .watching import LARGE, summary, told
 from .writing import echo, write_outputs
 
 
@@ -138,9 +138,10 @@ def _filled(
 
 
 def _gaps_of(flow: core.Flow, opened: Opened, place: Place) -> core.Gaps:
-    if opened.cost.nodes > LARGE:
-        place.say("meander: looking for gaps")
-    return flow.gaps()
+    if opened.cost.nodes <= LARGE:
+        return flow.gaps()
+    with core.Context() as context, told(context, "looking for gaps", place.say):
+        return flow.gaps(context=context)
 
 
 def _warnings_of(given: Input) -> list[str]:

@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 from .. import core
@@ -50,6 +52,29 @@ def run(flow: core.Flow, say: Callable[[str], None]) -> str:
             flow.wait()
             raise
         return flow.wait()
+
+
+@contextmanager
+def told(context: core.Context, what: str, say: Callable[[str], None]) -> Iterator[None]:
+    """Says how far a call that was given this context is, as `run` does.
+
+    what   the call does, in words
+    """
+    started = time.monotonic()
+    ended = threading.Event()
+
+    def tell() -> None:
+        while not ended.wait(_PROGRESS_SECONDS):
+            say(f"meander: {what}, {context.progress:.0%} after {time.monotonic() - started:.1f} s")
+
+    say(f"meander: {what}")
+    teller = threading.Thread(target=tell, daemon=True)
+    teller.start()
+    try:
+        yield
+    finally:
+        ended.set()
+        teller.join()
 
 
 def summary(figures: dict[str, Any], empty: Empty) -> str:

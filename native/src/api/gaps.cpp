@@ -43,8 +43,9 @@ meander_status meander_flow_find_gaps(meander_flow* flow, double least_size, mea
     if (least_size != 0) require_range(least_size, 1, 1e6, "least_size (in units of the local r)");
     check_cancelled(context);
     Flow& f = *flow->flow;
-    GapArrays found = in_terms_of_the_caller(find_gaps(f, least_size != 0 ? least_size : kGapSize, cancel_of(context)),
-                                             f.surface(), flow->map.get());
+    std::atomic<double>* told = context ? &context->control->progress : nullptr;
+    GapArrays found = in_terms_of_the_caller(
+        find_gaps(f, least_size != 0 ? least_size : kGapSize, cancel_of(context), told), f.surface(), flow->map.get());
     check_cancelled(context);
     hand_out(gaps, std::move(found), [](const GapArrays& arrays, meander_gaps& g) {
       g.count = arrays.sizes.size();

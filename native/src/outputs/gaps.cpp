@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -33,6 +34,9 @@ constexpr int kMostSteps = 200;
 /// Places that are compared, or looked at, between two asks whether to go on.
 constexpr uint32_t kCompared = 4096;
 constexpr uint32_t kPlaces = 256;
+
+/// What of a search, about, is over when all places have been looked at, and when all climbs have ended.
+constexpr double kLooked = 0.7, kClimbed = 0.95;
 
 /// A step must gain at least this share of its length: one that the boundary ends at once also goes a little way along
 /// it, and a climb of such steps would never come to shorter ones.
@@ -118,6 +122,27 @@ std::vector<Gap> apart(const Surface& surface, const std::vector<Gap>& gaps, dou
   return kept;
 }
 
+/// How far a search is, for whoever watches; any thread tells.
+class Told {
+ public:
+  explicit Told(std::atomic<double>* share) : share_(share) { at(0); }
+  void at(double share) const {
+    if (share_) *share_ = share;
+  }
+  /// The loops that follow go over so many blocks, and from one share to another.
+  void begin(double from, double to, size_t blocks) {
+    from_ = from;
+    step_ = (to - from) / static_cast<double>(std::max<size_t>(1, blocks));
+    done_ = 0;
+  }
+  void block() { at(from_ + step_ * static_cast<double>(++done_)); }
+
+ private:
+  std::atomic<double>* share_;
+  double from_ = 0, step_ = 0;
+  std::atomic<size_t> done_ = 0;
+};
+
 /// What a block of starts has given.
 struct Found {
   std::vector<Gap> starts;
@@ -127,7 +152,7 @@ struct Found {
 /// Looks at the centres of all balls, the middles of all faces and beside all corners of the boundary: starts whose
 /// size is at least `promising`; and how much of the faces is empty.
 Found look_everywhere(const Flow::Present& present, const Emptiness& emptiness, const EmptyStrip& strip,
-                      double promising) {
+                      double promising, Told& told) {
   const Domain& domain = present.state.domain;
   const Surface& surface = emptiness.surface();
   const Curve& curve = present.state.curve;
@@ -139,6 +164,7 @@ Found look_everywhere(const Flow::Present& present, const Emptiness& emptiness, 
   const size_t middles = balls + surface.face_count(), count = middles + surface.boundary().size();
   constexpr size_t kBlock = 512;
   std::vector<Found> blocks(ThreadPool::block_count(count, kBlock));
+  told.begin(0, kLooked, blocks.size());
   pool.for_blocks(count, kBlock, [&](size_t block, size_t begin, size_t end) {
     Found& found = blocks[block];
     EmptyFaces faces(emptiness, strip, pool.poll(kPlaces));
@@ -162,6 +188,7 @@ Found look_everywhere(const Flow::Present& present, const Emptiness& emptiness, 
       if (gap.size >= promising) found.starts.push_back(gap);
     }
     found.empty = faces.area();
+    told.block();
   });
   Found all;
   for (const Found& found : blocks) {
@@ -172,7 +199,7 @@ Found look_everywhere(const Flow::Present& present, const Emptiness& emptiness, 
 }
 
 /// On the surface that the flow runs on.
-Gaps emptiest_places(const Flow::Present& present, double least_size) {
+Gaps emptiest_places(const Flow::Present& present, double least_size, Told& told) {
   const Domain& domain = present.state.domain;
   const Surface& surface = *domain.surface;
   ThreadPool& pool = present.pool;
@@ -181,11 +208,14 @@ Gaps emptiest_places(const Flow::Present& present, double least_size) {
                             domain.patches.get());
   const bool along_surface = domain.patches != nullptr;
   const EmptyStrip strip{*domain.boundary, present.state.settings.boundary_distance};
-  const Found found = look_everywhere(present, emptiness, strip, kPromising * least_size);
+  const Found found = look_everywhere(present, emptiness, strip, kPromising * least_size, told);
 
   std::vector<Gap> gaps = apart(surface, found.starts, kSameStart, along_surface, pool.poll(kCompared));
-  pool.for_blocks(gaps.size(), 2, [&](size_t, size_t begin, size_t end) {
+  constexpr size_t kClimbs = 2;
+  told.begin(kLooked, kClimbed, ThreadPool::block_count(gaps.size(), kClimbs));
+  pool.for_blocks(gaps.size(), kClimbs, [&](size_t, size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) gaps[k] = climb(emptiness, gaps[k]);
+    told.block();
   });
   gaps = apart(surface, gaps, 1, along_surface, pool.poll(kCompared));
   std::erase_if(gaps, [&](const Gap& gap) {
@@ -202,9 +232,11 @@ Gaps emptiest_places(const Flow::Present& present, double least_size) {
 
 }  // namespace
 
-Gaps find_gaps(Flow& flow, double least_size, const CancelToken& cancel) {
+Gaps find_gaps(Flow& flow, double least_size, const CancelToken& cancel, std::atomic<double>* share) {
+  Told told(share);
   return flow.ask([&](const Flow::Present& present) {
-    Gaps found = emptiest_places(present, least_size);
+    Gaps found = emptiest_places(present, least_size, told);
+    told.at(1);
     for (Gap& gap : found.gaps) gap.radius *= present.state.domain.stretch_at(gap.centre);
     return found;
   }, cancel);

@@ -3,6 +3,7 @@
 // Gaps: the places of the surface that are farther from the curve than a filled surface has them.
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include "flow/flow.h"
@@ -40,7 +41,7 @@ struct Gaps {
 ///
 /// Where a strip along the boundary is to stay empty, only what lies farther from the curve than the strip asks for is
 /// a gap, or empty. Centres are on Flow::surface(), radii in its unit. See Flow::ask for what changes, and
-/// for `cancel`.
-Gaps find_gaps(Flow& flow, double least_size, const CancelToken& cancel = {});
+/// for `cancel`. `told`, where it is given, goes from 0 to 1 on the way.
+Gaps find_gaps(Flow& flow, double least_size, const CancelToken& cancel = {}, std::atomic<double>* told = nullptr);
 
 }  // namespace meander
