@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import struct
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -92,6 +94,40 @@ def test_files_of_odd_kinds_are_the_same_picture(tmp_path, name):
     found = image.read_image(saved(tmp_path, name))
     assert found.sides == (60, 45) and found.opacity is None
     assert found.colours[..., 1] == pytest.approx(RAMP / 255.0, abs=0.03)
+
+
+def tiff(values: np.ndarray, order: str, packed: bool) -> bytes:
+    """A TIFF of colours of 16 bits, in one strip."""
+    height, width, depth = values.shape
+    strip = values.astype(f"{order}u2").tobytes()
+    strip = zlib.compress(strip) if packed else strip
+    # The numbers of TIFF 6.0: sides, bits, compression, RGB, strip, channels, rows, bytes, opacity.
+    words = {256: width, 257: height, 258: None, 259: 8 if packed else 1, 262: 2, 273: None}
+    words |= {277: depth, 278: height, 279: len(strip)} | ({338: 2} if depth == 4 else {})
+    behind = 10 + 12 * len(words) + 4
+    places = {258: behind, 273: behind + 2 * depth}
+    made = (b"II" if order == "<" else b"MM") + struct.pack(f"{order}HIH", 42, 8, len(words))
+    for tag, word in words.items():
+        count = depth if tag == 258 else 1
+        if tag in places or tag == 279:
+            number = 3 if tag == 258 else 4
+            made += struct.pack(f"{order}HHII", tag, number, count, places.get(tag, word))
+        else:
+            made += struct.pack(f"{order}HHIHH", tag, 3, count, word, 0)
+    return made + struct.pack(f"{order}I{depth}H", 0, *[16] * depth) + strip
+
+
+@pytest.mark.parametrize("packed", [False, True])
+@pytest.mark.parametrize("order", ["<", ">"])
+@pytest.mark.parametrize("depth", [3, 4])
+def test_colours_of_a_tiff_keep_their_sixteen_bits(tmp_path, depth, order, packed):
+    pytest.importorskip("PIL")
+    values = (np.arange(20 * 30 * depth).reshape(20, 30, depth) * 37 % 65536).astype(np.uint16)
+    (tmp_path / "deep.tif").write_bytes(tiff(values, order, packed))
+    found = image.read_image(tmp_path / "deep.tif")
+    assert np.array_equal((found.colours * 65535).round().astype(int), values[..., :3])
+    if depth == 4:
+        assert np.array_equal((found.opacity * 65535).round().astype(int), values[..., 3])
 
 
 @pytest.mark.parametrize("content", [b"", b"no picture\n", b"\x89PNG\r\n\x1a\n"])

@@ -18,6 +18,9 @@ SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".webp", ".bmp")
 
 # A picture of more pixels is refused: it would need several gigabytes.
 _MOST_PIXELS = 200_000_000
+# How a file of 16 bits has its bytes, as Pillow calls it, and the other way round. What is packed
+# comes in the order of the machine, whose low byte is first wherever Meander runs.
+_OTHER_ORDER = {";16B": "L", ";16L": "B", ";16N": "B"}
 # How far a blur looks, in standard deviations.
 _REACH = 4.0
 
@@ -120,7 +123,7 @@ def _pixels(opened: Any, path: str | Path) -> NDArray[Any]:
     """The pixels of a picture that Pillow has opened, as image_of() takes them."""
     from PIL import Image as pillow
 
-    deep = opened.mode in ("RGB", "RGBA") and _raw_mode(opened).endswith(";16B")
+    deep = opened.mode in ("RGB", "RGBA") and _raw_mode(opened)[-4:] in _OTHER_ORDER
     if deep:
         with pillow.open(path) as again:
             return _deep(opened, again)
@@ -154,10 +157,14 @@ def _deep(opened: Any, again: Any) -> NDArray[np.uint16]:
 def _with_bytes_turned(tile: Any) -> Any:
     *where, arguments = tile
     if isinstance(arguments, tuple):
-        turned: Any = (arguments[0][:-1] + "L", *arguments[1:])
+        turned: Any = (_in_other_order(arguments[0]), *arguments[1:])
     else:
-        turned = arguments[:-1] + "L"
+        turned = _in_other_order(arguments)
     return type(tile)(*where, turned) if hasattr(tile, "_fields") else (*where, turned)
+
+
+def _in_other_order(raw_mode: str) -> str:
+    return raw_mode[:-1] + _OTHER_ORDER[raw_mode[-4:]]
 
 
 def _turned(pixels: NDArray[Any], opened: Any) -> NDArray[Any]:
