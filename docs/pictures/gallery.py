@@ -20,6 +20,7 @@ sys.path[:0] = [str(ROOT / "addon"), str(ROOT / "docs" / "pictures")]
 import gallery_scenes  # noqa: E402
 import meander  # noqa: E402
 import studio  # noqa: E402
+import tone_scenes  # noqa: E402, F401
 
 SIZE = (560, 448)
 SAMPLES = 64
