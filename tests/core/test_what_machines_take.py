@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from meander import batch
 from meander.model.geometry.flat_crossings import crossings, segments_of
-from meander.model.toolpaths import embroidery, toolpath
+from meander.model.toolpaths import embroidery, parts, toolpath
 from meander.model.toolpaths.drawing import drawing_of
 from sentences import assert_sentence
 
@@ -183,6 +183,23 @@ def test_no_stitch_of_a_file_is_shorter_than_the_least(name: str, tmp_path: Path
     strands = int(np.count_nonzero(rows[:, 2] == pyembroidery.TRIM))
     assert stops == (strands - 1 if "--part-length" in given else 0)
     assert ("--part-length" in given) == (stops > 0)
+
+
+@pytest.mark.parametrize("length", [0.29, 0.31, 0.35, 0.41, 0.6, 1.0, 2.6, 3.1])
+@pytest.mark.parametrize("closed", [False, True])
+def test_parts_as_short_as_a_stitch_have_none_that_is_shorter(length: float, closed: bool) -> None:
+    """The grid of a machine takes the ends of a part nearer to each other."""
+    turn = np.linspace(0.0, 2 * np.pi, 400, endpoint=False)
+    radius = 20.0 + 3.0 * np.sin(7 * turn)
+    points = np.column_stack([radius * np.cos(turn), radius * np.sin(turn), 0.0 * turn])
+    curve = toolpath.strand_of(points, np.tile([0.0, 0.0, 1.0], (len(turn), 1)), closed)
+    drawing = drawing_of(parts.parted([curve], length), "mm", 0.001, 1.0, 0.0, True, 1.0)
+    thread = embroidery.stitched(drawing, 2.5, 0.0)
+    lengths = np.concatenate(
+        [np.linalg.norm(np.diff(each.points, axis=0), axis=1) for each in thread.strands]
+    )
+    assert lengths.min() >= 0.3 * (1 - 1e-9) and lengths.max() <= 2.5 * (1 + 1e-9)
+    assert len(thread.strands) == len(drawing.strands) or length < 0.45
 
 
 def test_what_is_smaller_than_a_stitch_is_a_sentence(tmp_path: Path, capsys) -> None:

@@ -125,23 +125,25 @@ def _places(strand: Strand, arcs: np.ndarray, step: float) -> np.ndarray:
 
 def _apart(places: np.ndarray, least: float, longest: float, step: float) -> np.ndarray:
     """A way through some of the places, from the first to the last, of stitches that are neither
-    too short nor too long; a single place where first and last are all of it, and the same."""
+    too short nor too long; a single place where first and last are all of it, and too near."""
 
     def length(one: np.ndarray, other: np.ndarray) -> float:
         return float(np.linalg.norm(other - one)) * (1.0 + 1e-9)
 
-    last, kept = places[-1], [places[0]]
-    for place in places[1:]:
-        if length(kept[-1], place) < least:
-            continue
+    def step_to(place: np.ndarray) -> None:
         if length(kept[-1], place) > longest * (1.0 + 2e-9):  # others before it are left out
             kept.append(np.round((kept[-1] + place) / 2.0 / step) * step)
         kept.append(place)
+
+    last, kept = places[-1], [places[0]]
+    for place in places[1:]:
+        if length(kept[-1], place) >= least:
+            step_to(place)
     if (kept[-1] != last).any():  # the end stays where it is
         while len(kept) > 1 and length(kept[-1], last) < least:
             kept.pop()
-        if len(kept) > 1 or (kept[-1] != last).any():
-            kept.append(last)
+        if length(kept[-1], last) >= least:
+            step_to(last)
     return np.array(kept)
 
 
