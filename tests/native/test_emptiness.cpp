@@ -44,6 +44,7 @@ void expect_same_as_single_points(const Scene& scene, bool along_surface) {
   for (int climb = 0; climb < 40; ++climb) {
     EmptinessNearby nearby(emptiness);
     Gap best = emptiness.at(random_point(scene.surface, rng));
+    EXPECT_LE(emptiness.at_least(best.centre).radius, best.radius);
     for (int k = 0; k < 100; ++k) {
       const double r = scene.radius.at(scene.surface, best.centre);
       const Vec2 step = (r * std::pow(2, rng.in(-8, 2))) * rng.direction();

@@ -346,6 +346,38 @@ TEST(FullStart, FillsAStemWithStraightStrandsAndSettles) {
   }
 }
 
+/// Without a vertex inside: slivers lie between its teeth and the far side of its base.
+Mesh comb(uint32_t teeth) {
+  const double wide = 0.5 / teeth;
+  Mesh mesh;
+  mesh.add(0, 0, 0);
+  mesh.add(1, 0, 0);
+  for (uint32_t k = 0; k <= 2 * teeth; ++k) mesh.add(k * wide, 0.5, 0);
+  for (uint32_t k = 0; k < teeth; ++k) {
+    const uint32_t base = 2 + 2 * k, top = static_cast<uint32_t>(mesh.vertex_count());
+    for (const uint32_t side : {0u, 1u}) mesh.add((2 * k + side) * wide, 1, 0);
+    mesh.face(base, base + 1, top + 1);
+    mesh.face(base, top + 1, top);
+  }
+  for (uint32_t k = 0; k < 2 * teeth; ++k) mesh.face(0, 3 + k, 2 + k);
+  mesh.face(0, 1, 2 + 2 * teeth);
+  return mesh;
+}
+
+/// Every tooth is near to a thousand others through space. To look at these for each place where a line might begin
+/// takes a minute; all ends here within a second.
+TEST(FullStart, BeginsNoLinesAcrossTeethThatAreTooThin) {
+  const auto surface = std::make_shared<const Surface>(make_surface(comb(2000)));
+  const Flow flow = flow_of(surface, 0.1);
+  const double r = flow.settings().radius;
+  ThreadPool pool(1);
+  const FullStart laid = full_start(*surface, flow.curve(), 0, RadiusField(r), {}, nullptr, 0.5, pool);
+  ASSERT_TRUE(laid.laid_any());
+  EXPECT_TRUE(exact_crossings(*surface, laid.curve).empty());
+  // Of its base, which is half as high as wide.
+  EXPECT_GT(laid.curve.length() * 2 * r, 0.6 * 0.5 * surface->area() / 0.75);
+}
+
 TEST(FullStart, LeavesTheCurveAsItWasWhenItIsCancelled) {
   const auto surface = std::make_shared<const Surface>(make_surface(sphere(4)));
   Flow flow = flow_of(surface, 0.1);

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/front_search.h"
+#include "geodesic/geodesic_trace.h"
 
 namespace meander {
 namespace {
@@ -22,6 +23,13 @@ constexpr double kRounded = 0.001;
 
 /// Rounding of a distance, as a share of it, is less than this.
 constexpr double kRounding = 1e-6;
+
+/// The point of a straight piece that is nearest to x.
+Vec3 nearest_of(const Vec3& x, const Vec3& from, const Vec3& to) {
+  const Vec3 along = to - from;
+  const double squared = along.squaredNorm();
+  return squared > 0 ? Vec3(from + std::clamp((x - from).dot(along) / squared, 0.0, 1.0) * along) : from;
+}
 
 }  // namespace
 
@@ -76,7 +84,7 @@ bool Emptiness::closer_than(const SurfacePoint& p, double size) const {
   return is_connected(p, curve_.nodes[node].face, nodes_[node], reach) || any_on_surface(p, nodes_[node], reach);
 }
 
-Gap Emptiness::at(const SurfacePoint& p) const {
+Emptiness::Straight Emptiness::through_space(const SurfacePoint& p) const {
   const Vec3 x = position(surface_, p);
   const NodesApart& around_p = around(p);
   const PointTree::Hit nearest = *around_p.tree.nearest(x);
@@ -98,10 +106,14 @@ Gap Emptiness::at(const SurfacePoint& p) const {
       }
     }
   }
+  return {{p, distance, distance / local_radius(p)}, closest, around_p.nodes[nearest.index]};
+}
+
+Gap Emptiness::at(const SurfacePoint& p) const {
+  const auto [gap, segment, node] = through_space(p);
   const double r = local_radius(p);
-  if (distance < kFarthest * r && !straight(p) && !reaches(p, distance, closest, around_p.nodes[nearest.index])) {
-    distance = std::min(distance_on_surface(p, kFarthest * r), kFarthest * r);
-  }
+  if (!(gap.radius < kFarthest * r) || straight(p) || reaches(p, gap.radius, segment, node)) return gap;
+  const double distance = std::min(distance_on_surface(p, kFarthest * r), kFarthest * r);
   return {p, distance, distance / r};
 }
 
@@ -133,16 +145,36 @@ bool Emptiness::reaches(const SurfacePoint& p, double distance, uint32_t segment
   uint32_t face = curve_.nodes[segment].face;
   for (const Crossing& crossing : curve_.paths[segment]) {
     const Vec3 to = position(surface_, crossing);
-    if (distance_to_segment(x, from, to) <= distance) return is_connected(p, face, from, distance);
+    if (distance_to_segment(x, from, to) <= distance) return is_connected(p, face, nearest_of(x, from, to), distance);
     from = to;
     face = face_of(crossing.twin);
   }
-  return is_connected(p, face, from, distance);
+  return is_connected(p, face, nearest_of(x, from, nodes_[curve_.next(segment)]), distance);
 }
 
-/// Whether a few faces, the ones nearest to `goal` first, lead from a point to another face inside of a
-/// ball around the point; false also where they are many.
+/// Whether the faces straight ahead, or else a few, the ones nearest to `goal` first, lead from a point to another face
+/// inside of a ball around the point; false also where they are many.
 bool Emptiness::is_connected(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const {
+  return is_straight_ahead(p, face, goal, radius) || is_near_ahead(p, face, goal, radius);
+}
+
+/// Where thousands of slivers lie between, they are soon walked through.
+bool Emptiness::is_straight_ahead(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const {
+  if (p.face == face) return true;
+  const Vec3 x = position(surface_, p);
+  GeodesicWalk walk(surface_, p, surface_.to_plane(p.face, goal - x));
+  while (walk.step()) {
+    const HalfEdge e = walk.crossing().e;
+    const Triangle& corners = surface_.face(face_of(e));
+    const Vec3& a = surface_.position(corners[corner_of(e)]);
+    const Vec3& b = surface_.position(corners[next_corner(corner_of(e))]);
+    if (!(distance_to_segment(x, a, b) < radius)) return false;
+    if (face_of(walk.crossing().twin) == face) return true;
+  }
+  return false;
+}
+
+bool Emptiness::is_near_ahead(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const {
   constexpr size_t kMost = 64;
   const Vec3 x = position(surface_, p);
   std::array<uint32_t, kMost> faces;

@@ -85,6 +85,9 @@ class Emptiness {
 
   /// The largest empty ball around a point.
   Gap at(const SurfacePoint& p) const;
+  /// What it is at least: as far as the curve is through space, which is sooner known where much of the surface is
+  /// near through space and far along it.
+  Gap at_least(const SurfacePoint& p) const { return through_space(p).gap; }
 
  private:
   friend class EmptinessNearby;
@@ -93,10 +96,19 @@ class Emptiness {
   const NodesApart& around(const SurfacePoint& p) const {
     return *parts_[part_of_component_.empty() ? 0 : part_of_component_[surface_.component(p.face)]];
   }
+  /// The straight distance to the curve.
+  struct Straight {
+    Gap gap;
+    uint32_t segment;  // the nearest one; kNone: the nearest node is as near
+    uint32_t node;     // the nearest one
+  };
+  Straight through_space(const SurfacePoint& p) const;
   double distance_to_path(const Vec3& x, uint32_t segment) const;
   double distance_to_piece(const Vec3& x, PiecesOfFaces::Piece piece) const;
   bool reaches(const SurfacePoint& p, double distance, uint32_t segment, uint32_t node) const;
   bool is_connected(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const;
+  bool is_straight_ahead(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const;
+  bool is_near_ahead(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const;
   double distance_on_surface(const SurfacePoint& p, double most) const;
   bool any_on_surface(const SurfacePoint& p, const Vec3& goal, double reach) const;
 

@@ -165,9 +165,14 @@ void EmptyFaces::add(uint32_t face, double nearer_than) {
     if (&cell == &whole && nearer_than > 0 && nearer_than <= filled) return false;
     if (filled > 0 && emptiness_.closer_than(middle, filled)) return false;
     if (reach > r) return true;
-    const Gap place = emptiness_.at(middle);
-    const double beyond = place.radius - strip_.wanted_at(position(surface, middle), r) - kEmptySize * r;
-    if (std::abs(beyond) < reach && reach > kFinest * r) return true;
+    // How far a line is to be from there, to leave it empty.
+    const double wanted = strip_.wanted_at(position(surface, middle), r) + kEmptySize * r;
+    const bool finest = reach <= kFinest * r;
+    const Gap least = emptiness_.at_least(middle);
+    const double surely = least.radius - wanted;
+    const Gap place = surely >= reach || (finest && surely > 0) ? least : emptiness_.at(middle);
+    const double beyond = place.radius - wanted;
+    if (std::abs(beyond) < reach && !finest) return true;
     if (beyond > 0) (narrow_at(place) ? area_.narrow : area_.wide) += cell.area();
     return false;
   });

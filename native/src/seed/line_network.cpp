@@ -39,7 +39,8 @@ bool overlap(Vec2 common, Vec2 p, Vec2 q) {
 }  // namespace
 
 LineNetwork::LineNetwork(const Surface& surface, const SurfacePatches& patches, const RadiusField& radius)
-    : surface_(surface), patches_(patches), radius_(radius), least_cell_(kCell * radius.least()) {
+    : surface_(surface), patches_(patches), radius_(radius), least_cell_(kCell * radius.least()),
+      beside_boundary_(patches.count(), 0) {
   levels_.resize(level_of(radius.most()) + 1);
 }
 
@@ -51,6 +52,7 @@ uint32_t LineNetwork::add_node(const Node& node) {
   const auto index = static_cast<uint32_t>(nodes_.size());
   const size_t level = level_of(node.radius);
   nodes_.push_back(node);
+  if (node.line == kBoundary) beside_boundary_[node.patch] = 1;
   levels_[level][cell_of(node, level)].nodes.push_back({node.place, index});
   count_finer(node, 1);
   return index;

@@ -51,6 +51,8 @@ class LineNetwork {
   uint32_t patch_count() const { return patches_.count(); }
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<Edge>& edges() const { return edges_; }
+  /// Whether a patch holds nodes of the boundary.
+  bool beside_boundary(uint32_t patch) const { return beside_boundary_[patch] != 0; }
 
   Node make_node(const SurfacePoint& p, uint32_t line, double arc) const;
   uint32_t add_node(const Node& node);
@@ -207,6 +209,7 @@ class LineNetwork {
   double least_cell_;
   std::vector<Node> nodes_;
   std::vector<Edge> edges_;
+  std::vector<uint8_t> beside_boundary_;  // per patch
   std::vector<Cells> levels_;
   std::unordered_map<uint32_t, std::vector<Owned>> pieces_;  // per face that holds any
 };

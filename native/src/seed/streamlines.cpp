@@ -11,12 +11,10 @@
 
 #include "base/variation.h"
 #include "geodesic/chart.h"
+#include "seed/field_steps.h"
 
 namespace meander {
 namespace {
-
-/// A line ends where the field turns by more than 60 degrees from one node to the next (a cosine), or is this weak.
-constexpr double kMostTurnOfLine = 0.5, kLeastField = 1e-6;
 
 /// A line comes no nearer to itself than by this share of the way along it: it may turn back, by three quarters of a
 /// circle, but not wind round a limb that is thinner than a spacing. near_target along the surface on spot, in the
@@ -67,9 +65,9 @@ class Drawer {
  public:
   Drawer(const LineField& field, const RadiusField& radius, const LineSpacing& spacing, uint32_t variation,
          LineNetwork& network, CancelToken poll, std::vector<Streamline>& lines)
-      : field_(field), radius_(radius), spacing_(spacing), variation_(variation), network_(network),
-        s_(network.surface()), poll_(poll), shortener_(s_), lines_(lines), trunks_(lines.size()),
-        drawn_(s_.component_count(), 0), wanted_(s_.component_count(), 0),
+      : field_(field), steps_(network.surface(), field), radius_(radius), spacing_(spacing), variation_(variation),
+        network_(network), s_(network.surface()), poll_(poll), shortener_(s_), lines_(lines),
+        trunks_(lines.size()), drawn_(s_.component_count(), 0), wanted_(s_.component_count(), 0),
         has_line_(s_.component_count(), 0), crowded_(network.patch_count()) {
     for (uint32_t f = 0; f < s_.face_count(); ++f) {
       const double r = radius_.at(s_, make_point(f, 1, 1, 1));
@@ -109,7 +107,7 @@ class Drawer {
         if (is_full(p)) return;
         const LineNetwork::Node node = network_.make_node(p, static_cast<uint32_t>(lines_.size()), 0);
         Crowded& known = crowded_[node.patch];
-        if ((node.place - known.place).norm() < known.around) return;
+        if ((node.place - known.place).norm() < known.around || ends_at_once(node)) return;
         const double around = kAround * crowding(node, true);
         if (around > 0) {
           known = {node.place, around};
@@ -183,7 +181,7 @@ class Drawer {
       const SurfacePoint& p = beside_.front();
       if (is_full(p)) continue;
       const LineNetwork::Node node = network_.make_node(p, static_cast<uint32_t>(lines_.size()), 0);
-      if (!(crowding(node, true) > 0)) begin_at(node);
+      if (!ends_at_once(node) && !(crowding(node, true) > 0)) begin_at(node);
     }
   }
 
@@ -233,17 +231,17 @@ class Drawer {
 
   void begin_at(const LineNetwork::Node& first) {
     const SurfacePoint& p = first.point;
-    const Vec2 direction = unit(field_.at(p));
-    if (!(norm(direction) > 0) || norm(field_.at(p)) < kLeastField) return;
+    const auto direction = steps_.from(p);
+    if (!direction) return;
     const LineNetwork::Mark mark = network_.mark();
     const uint32_t start = network_.add_node(first);
     Streamline drawn;
     const double longest = room(p);
-    trace(start, -direction, -1, longest, drawn.nodes);
+    trace(start, -*direction, -1, longest, drawn.nodes);
     std::ranges::reverse(drawn.nodes);
     drawn.nodes.push_back(start);
     const double back = -network_.nodes()[drawn.nodes.front()].arc;
-    trace(start, direction, 1, longest - back, drawn.nodes);
+    trace(start, *direction, 1, longest - back, drawn.nodes);
     const double length = network_.nodes()[drawn.nodes.back()].arc + back;
     if (length < shortest_ * spacing_.apart) return network_.take_back(mark);
     offer_beside(drawn, apart_);
@@ -314,46 +312,39 @@ class Drawer {
     for (size_t k = 0; k < most; ++k) {
       poll_();
       const LineNetwork::Node here = network_.nodes()[from];
-      const double step = spacing_.step * here.radius;
-      const auto turn = turn_ahead(here.point, direction, 0.5 * step);
-      if (!turn) return;
-      Path path;
-      const Trace there = trace_geodesic(s_, here.point, step * (direction * *turn), path);
-      if (there.hit_boundary) return;
-      const auto next = direction_at(there.end, there.direction);
-      if (!next) return;
-      const LineNetwork::Node node = network_.make_node(there.end, line, here.arc + sign * spacing_.step);
-      if (crowding(node, false) > 0 || network_.touches(from, kNone, there.end, path)) return;
-      const PathShape shape = measure_path(s_, here.point, there.end, path);
+      auto ahead = steps_.ahead(here.point, direction, spacing_.step * here.radius);
+      if (!ahead) return;
+      const LineNetwork::Node node = network_.make_node(ahead->end, line, here.arc + sign * spacing_.step);
+      if (crowding(node, false) > 0 || network_.touches(from, kNone, ahead->end, ahead->path)) return;
+      const PathShape shape = measure_path(s_, here.point, ahead->end, ahead->path);
       if (!(shape.length > 0)) return;
       const uint32_t to = network_.add_node(node);
-      network_.add_edge(from, to, std::move(path), shape);
+      network_.add_edge(from, to, std::move(ahead->path), shape);
       nodes.push_back(to);
       from = to;
-      direction = *next;
+      direction = ahead->direction;
     }
   }
 
-  /// The direction of the field at a point for a line that arrives there in this one.
-  std::optional<Vec2> direction_at(const SurfacePoint& p, Vec2 arriving) const {
-    const Vec2 line = field_.at(p);
-    if (norm(line) < kLeastField) return std::nullopt;
-    const Vec2 along = unit(line);
-    const double cosine = dot(along, arriving);
-    if (std::abs(cosine) < kMostTurnOfLine) return std::nullopt;
-    return cosine < 0 ? -along : along;
-  }
-
-  /// By how much the field turns until half of a step ahead: the midpoint rule.
-  std::optional<Vec2> turn_ahead(const SurfacePoint& p, Vec2 direction, double half) const {
-    Path path;
-    const Trace middle = trace_geodesic(s_, p, half * direction, path);
-    const auto there = direction_at(middle.end, middle.direction);
-    if (!there) return std::nullopt;
-    return *there * conj(middle.direction);
+  /// Whether a line through a place beside the boundary ends there before it is long enough. To know what is near to a
+  /// place takes much longer where thousands of teeth are, each far from all others along the surface.
+  bool ends_at_once(const LineNetwork::Node& first) {
+    if (!network_.beside_boundary(first.patch)) return false;
+    const auto along = steps_.from(first.point);
+    const double least = shortest_ * spacing_.apart;
+    double length = 0;
+    for (const double side : {1.0, -1.0}) {
+      auto next = along ? steps_.ahead(first.point, side * *along, spacing_.step * first.radius) : std::nullopt;
+      for (; next && length < least; poll_()) {
+        length += spacing_.step;
+        next = steps_.ahead(next->end, next->direction, spacing_.step * radius_.at(s_, next->end));
+      }
+    }
+    return length < least;
   }
 
   const LineField& field_;
+  FieldSteps steps_;
   const RadiusField& radius_;
   const LineSpacing& spacing_;
   uint32_t variation_;
