@@ -29,6 +29,7 @@ from stage import (
 )
 
 FILES = PICTURES / "drawn"
+SMOOTHED = True
 
 
 def chosen(name: str, spacing: float) -> Iterator[float]:

@@ -39,6 +39,7 @@ from stage import (
 )
 
 OPEN = (panels.MEANDER_PT_guidance, density_panel.MEANDER_PT_density)
+SMOOTHED = True
 
 
 def window_opens() -> Iterator[float]:

@@ -80,16 +80,17 @@ options_of_settings = plan.options_of
 
 # Stories wait for pictures of a growing curve, which come rarely where the processors draw.
 pace.LONGEST_WAIT = 0.4
-# A picture is drawn by the processors, so it costs what it has pixels. Where Blender smooths edges
-# over the course of several pictures, it would draw each of them eight times.
-SMOOTHING = "FXAA"
+# A picture is drawn by the processors, and smoothing its edges takes nearly half of that. So it is
+# off but in stories that say SMOOTHED: there a run, which turns it off for as long as drawing is
+# slow, has to give it back.
+smoothing = "OFF"
 # In a window of 960 x 600 there is as much as in one of 1280 x 800.
 SCALE = 0.75
 
 
 def prefer() -> None:
     preferences = bpy.context.preferences
-    preferences.system.viewport_aa = SMOOTHING
+    preferences.system.viewport_aa = smoothing
     preferences.view.ui_scale = SCALE
     preferences.view.show_splash = False
     preferences.view.smooth_view = 0  # a view that turns at once
@@ -289,7 +290,7 @@ def assert_nothing_left_over() -> None:
     assert last_session is None or last_session.stepper.finished
     assert_no_python_thread()
     assert not status_texts or status_texts[-1] is None, status_texts[-3:]
-    assert bpy.context.preferences.system.viewport_aa == SMOOTHING  # off while drawing is slow
+    assert bpy.context.preferences.system.viewport_aa == smoothing  # off while drawing is slow
 
 
 # How many timer events the window gets: none, once a run has given its own back.
@@ -397,13 +398,14 @@ def step(name: str) -> None:
 
 def open_window(story: ModuleType) -> None:
     """The window and its file as Blender starts with them, and the add-on registered anew."""
-    global last_session, panel_draws
+    global last_session, panel_draws, smoothing
     meander.unregister()  # which ends a run that a story has failed in
     for window in bpy.context.window_manager.windows[1:]:
         with bpy.context.temp_override(window=window):
             bpy.ops.wm.window_close()
     with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
         bpy.ops.wm.read_homefile(use_factory_startup=True)
+    smoothing = "FXAA" if getattr(story, "SMOOTHED", False) else "OFF"
     prefer()
     last_session, panel_draws = None, 0
     status_texts.clear()
