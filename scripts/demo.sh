@@ -9,6 +9,9 @@
 #     suzanne.blend   the scene with the curve in it
 #     suzanne.png     a picture of it
 #     suzanne.json    the report of the run
+#
+# MEANDER_DEMO_SAMPLES: how often each pixel is sampled at most, instead of what the published picture has. Rendering is
+# nearly all that the demo takes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 demo=$PWD/build/demo
@@ -41,7 +44,8 @@ blender_script "Filling Suzanne" "$BLENDER_USER_SCRIPTS/addons/meander/batch.py"
   --input "$demo/scene.blend" --object Suzanne --seed-object Seed --density-group Fine \
   --spacing 0.055 --output "$demo/suzanne.blend" --report "$demo/suzanne.json"
 grep '^meander:' "$demo/Filling Suzanne.log" | tail -n 2
-blender_script "Rendering" docs/pictures/demo_render.py "$demo/suzanne.blend" "$demo/suzanne.png"
+blender_script "Rendering" docs/pictures/demo_render.py "$demo/suzanne.blend" "$demo/suzanne.png" \
+  ${MEANDER_DEMO_SAMPLES:+"$MEANDER_DEMO_SAMPLES"}
 
 rm -f "$demo/scene.blend" "$demo"/*.blend1
 printf '\n'

@@ -201,7 +201,7 @@ beside suite blender-3.4 900 "${in_profile[@]}" "${enough[@]}" \
 # This suite makes its own profiles.
 beside suite package 600 env MEANDER_ZIP="$root/$zip" MEANDER_BPY_PYTHON="$root/$bpy_python" \
   /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/package
-beside check demo 600 bash scripts/demo.sh
+beside check demo 600 env $($all || echo MEANDER_DEMO_SAMPLES=8) bash scripts/demo.sh
 profile jobs
 beside suite jobs 300 "${in_profile[@]}" /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/jobs
 profile sweep

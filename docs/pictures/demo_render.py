@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script, last part of the demo: light, camera, materials, and the picture.
 
-    blender --background --python docs/pictures/demo_render.py -- SCENE.blend PICTURE.png
+    blender --background --python docs/pictures/demo_render.py -- SCENE.blend PICTURE.png [SAMPLES]
 
 Saves the scene as rendered, so that opening it shows the picture's view.
 """
@@ -56,7 +56,7 @@ def dress(surface: bpy.types.Object, curve: bpy.types.Object) -> None:
     thin_where_dense(surface, curve)
 
 
-def main(scene: str, picture: str) -> None:
+def main(scene: str, picture: str, samples: str = str(studio.SAMPLES)) -> None:
     bpy.ops.wm.open_mainfile(filepath=scene)
     objects = bpy.data.objects
     dress(objects[SURFACE], objects[RESULT])
@@ -65,7 +65,7 @@ def main(scene: str, picture: str) -> None:
     studio.add_lights()
     studio.add_floor(studio.lowest_point([objects[SURFACE]]) - TUBE_RADIUS)
     studio.add_camera((2.5, -6.2, 3.6), (0.03, -0.05, -0.08), 88.0)
-    studio.take_picture(picture, PICTURE_SIZE)
+    studio.take_picture(picture, PICTURE_SIZE, int(samples))
     bpy.ops.wm.save_mainfile(compress=True)
 
 
