@@ -25,6 +25,7 @@ node_tests() {
 }
 node_tests tests/web/library.test.mjs
 node_tests tests/web/room.test.mjs
+node_tests tests/web/story.test.mjs
 node_tests tests/web/page.test.mjs
 
 # The package by itself, in a folder of its own, as in the README.

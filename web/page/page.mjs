@@ -89,6 +89,7 @@ function fill() {
   }
   wish = ++number;
   line = null;
+  state.fill = String(wish);
   state.pictures = "0";
   delete state.sides;
   view.setLine(null);
