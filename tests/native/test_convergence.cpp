@@ -424,6 +424,30 @@ TEST(Convergence, StallsAfterSomeIterationsInARow) {
   }
 }
 
+/// Where the rest that was laid is most of the curve, that is finished as one that has filled the surface from its start:
+/// it has no hairpins to remove.
+TEST(Convergence, OfWhatIsMostlyLaid) {
+  for (const double laid : {1.5, 3.0}) {
+    FlowSettings settings = with_polish();
+    settings.hairpin_removal_iterations = kHairpinRemoval;
+    Noting n(true);
+    n.convergence = Convergence(settings, false);
+    IterationFigures figures;
+    figures.length = 1;
+    figures.wanted = figures.moved = 1;
+    figures.far_share = 0.5;
+    while (n.convergence.phase() != Phase::kLayingRest) n.convergence.note(n.surface, n.curve, n.metric, figures, n.pool);
+    figures.length = laid;
+    figures.laid = true;
+    figures.far_share = 0;
+    n.convergence.note(n.surface, n.curve, n.metric, figures, n.pool);
+    figures.laid = false;
+    while (grows_in(n.convergence.phase())) n.convergence.note(n.surface, n.curve, n.metric, figures, n.pool);
+    EXPECT_EQ(n.convergence.phase(), laid > 2 ? Phase::kPolishing : Phase::kHairpinRemoval);
+    EXPECT_EQ(n.convergence.began_full(), laid > 2);
+  }
+}
+
 /// What cannot move, but leaves nothing, has come to rest; by the paper's rule it is stuck all the same.
 TEST(Convergence, OfWhatFillsAndIsHeld) {
   for (const StopRule rule : {StopRule::kSettled, StopRule::kPaper}) {

@@ -171,6 +171,10 @@ inline constexpr double kGrownForSure = 0.005;
 /// compact surfaces of scripts/fingerprints.py nothing is far when growth ends.
 inline constexpr double kFarFromNodes = 3.2, kMostFar = 0.001, kLessFar = 0.0005;
 
+/// A rest that is laid and makes the curve this many times as long, > 1, is what the curve is: it is finished as one
+/// that has filled the surface from its start.
+inline constexpr double kMostlyLaid = 2;
+
 /// Straight strands side by side lie in balance, and none bends, where each is as far from what is beside it, but
 /// farther than kSlack, in r, > 1. Where those are more than kMostSlack of the nodes, from 0 to 1, when growth would
 /// end, they are pushed to one and the other side in turn. docs/decisions.md, "Strands in balance".

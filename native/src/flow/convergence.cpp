@@ -86,7 +86,8 @@ Convergence Convergence::revised(const FlowSettings& settings, double change, bo
   return next;
 }
 
-/// A curve that fills the surface from its start has few hairpins, and they hold its pattern: none are drawn in.
+/// What is laid has few hairpins, and they hold its pattern: of a curve that fills the surface from its start, or that
+/// consists mostly of a rest that was laid, none are drawn in.
 void Convergence::begin_full() noexcept {
   began_full_ = true;
   hairpin_removal_iterations_ = 0;
@@ -199,6 +200,8 @@ uint32_t Convergence::iterations_in_phase() const {
 
 void Convergence::note(const Surface& surface, const Curve& curve, const LocalMetric& metric,
                        const IterationFigures& figures, ThreadPool& pool) {
+  const bool mostly_laid = phase_ == Phase::kLayingRest && figures.laid && !lengths_.empty() &&
+                           figures.length > kMostlyLaid * lengths_.back();
   const double settling = change_in(kSettledWindow, figures.length);
   const bool grown = has_grown(change_in(kGrowthWindow, figures.length), figures.clamped_share);
   lengths_.push_back(figures.length);
@@ -210,6 +213,7 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
     lengths_.pop_back();
     throw;
   }
+  if (mostly_laid && !began_full_) begin_full();
   note_approach(figures);
   note_idleness(figures);
   if (rule_ == StopRule::kPaper) {

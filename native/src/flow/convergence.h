@@ -75,7 +75,7 @@ class Convergence {
   Convergence revised(const FlowSettings& settings, double change, bool regrow) const;
 
   Phase phase() const { return phase_; }
-  /// Whether something has been laid in the phase kStarting.
+  /// Whether something has been laid in the phase kStarting, or later most of the curve.
   bool began_full() const { return began_full_; }
   /// How many iterations of the present phase have been noted.
   uint32_t iterations_in_phase() const;
