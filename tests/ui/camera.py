@@ -32,10 +32,10 @@ FILES = PICTURES / "drawn"
 SMOOTHED = True
 
 
-def chosen(name: str, spacing: float) -> Iterator[float]:
+def chosen(name: str, spacing: float, **wishes: object) -> Iterator[float]:
     """The dialog, as the menu opens it, and its button."""
     with bpy.context.temp_override(**window_override()):
-        bpy.ops.meander.draw_camera("INVOKE_DEFAULT", spacing=spacing)
+        bpy.ops.meander.draw_camera("INVOKE_DEFAULT", spacing=spacing, **wishes)
     yield from until(lambda: browser() is not None, "the dialog")
     yield from redrawn()
     area = browser()
@@ -74,6 +74,15 @@ def drawn_to_the_end() -> Iterator[float]:
     ]
     assert [label for label in layers if label] == ["Cube", "Suzanne"]
     assert state() == before, "nothing is left in the scene"
+    yield from nothing_is_left()
+
+
+def as_dark_as_the_lamps_make_it() -> Iterator[float]:
+    """The spacing does not count: a page of one strand is asked for, and shades are drawn."""
+    yield from chosen("shade", 50.0, use_tone=True, line_width=3.0)
+    yield from until(going, "the drawing begins")
+    yield from until(lambda: not going(), "the drawing ends")
+    assert (FILES / "shade.svg").stat().st_size > 0
     yield from nothing_is_left()
 
 
@@ -138,6 +147,8 @@ def story() -> Iterator[float]:
     bpy.ops.ed.undo_push(message="Scene")
     step("the dialog, and a page with a layer for each object")
     yield from drawn_to_the_end()
+    step("a page as dark as the lamps make it")
+    yield from as_dark_as_the_lamps_make_it()
     step("Esc ends it, and leaves nothing")
     yield from ended_by_esc()
     step("a very large page is asked for first")

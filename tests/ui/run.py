@@ -59,6 +59,8 @@ def shaped_ramp() -> Iterator[float]:
     mapping.curves[0].points.new(0.35, 0.8)
     mapping.update()
     yield from seen("1_ramp")
+    settings.density_interpolation = "TONE"
+    yield from seen("1_tone")
     settings.density_interpolation, settings.density_group = "LINEAR", ""
     yield from seen("1_plain")
 
