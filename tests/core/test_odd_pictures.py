@@ -61,6 +61,17 @@ def test_what_is_transparent_all_over_is_said_to_be():
         line.plans_of(*pictures)
 
 
+@pytest.mark.parametrize("bridges", [True, False])
+def test_an_ink_that_is_needed_nowhere_is_left_out(bridges):
+    sky = image.image_of(np.full((45, 60, 3), (150, 220, 255), dtype=np.uint8))
+    plans = line.plans_of(
+        sky, line.Wishes(width=40.0, pen=1.0, inks=("cyan", "black"), bridges=bridges)
+    )
+    assert [plan.name for plan in plans] == ["cyan"]
+    with pytest.raises(FileError, match="nothing of the picture is dark enough"):
+        plan_of(np.full((45, 60), 250, dtype=np.uint8), leave_white=0.9, bridges=bridges)
+
+
 def saved(folder: Path, name: str) -> Path:
     """A file of an odd kind, whose picture is the ramp."""
     from PIL import Image

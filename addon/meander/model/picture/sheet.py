@@ -86,7 +86,7 @@ def cells_kept(
     kept = opaque[:-1, :-1] & opaque[:-1, 1:] & opaque[1:, 1:] & opaque[1:, :-1]
     labels, count = parts_of(kept)
     sizes = np.bincount(labels[kept], minlength=count)
-    kept &= (sizes >= least)[labels.clip(min=0)]
+    kept = np.append(sizes >= least, False)[labels]  # -1, of what is not kept, is the last
     if bridges:
         kept = _joined(kept, width)
     return _without_points(kept)
