@@ -3,6 +3,9 @@
 // Balls by windows: against the definition in the plane, on surfaces that unroll into it, and among sheets.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <utility>
+
 #include "geodesic/windows.h"
 #include "thin_surfaces.h"
 
@@ -28,12 +31,23 @@ Vec2 random_direction(Rng& rng) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// On faces with hundreds of points, of which only a strip is looked at, and on faces with few.
+/// A long quad as two faces whose corners begin at one or another: each of them is the far one in a turn.
+Mesh thin_quad(uint32_t turn) {
+  Mesh mesh;
+  for (const auto& [x, y] : {std::pair(0.0, 0.0), {1.0, 0.0}, {1.0, 0.03}, {0.0, 0.03}}) mesh.add(x, y, 0);
+  for (const auto& corners : {std::array{0u, 1u, 2u}, std::array{0u, 2u, 3u}}) {
+    mesh.face(corners[turn % 3], corners[(turn + 1) % 3], corners[(turn + 2) % 3]);
+  }
+  return mesh;
+}
+
+/// On faces with hundreds of points, of which only a strip is looked at, thin ones among them, and on faces with few.
 TEST(Windows, AreTheBallsOfThePlane) {
   constexpr double kRounding = 1e-9;
   size_t limited = 0, clamped = 0;
-  for (const uint32_t cells : {1u, 3u, 12u}) {
-    Scattered s(flat_grid(cells), 900, 20 + cells);
+  for (const Mesh& mesh :
+       {flat_grid(1), flat_grid(3), flat_grid(12), thin_quad(0), thin_quad(1), thin_quad(2)}) {
+    Scattered s(mesh, 900, 20);
     WindowSearch search(s.surface, s.points);
     Rng rng(5);
     for (uint32_t i = 0; i < 900; ++i) {

@@ -7,14 +7,28 @@
 
 namespace meander {
 
-void PointsOfFaces::sort_within_faces(ThreadPool& pool) {
+uint32_t PointsOfFaces::across(const Surface& surface, uint32_t face) {
+  const auto opposite = [&](uint32_t k) {
+    const Vec2 edge = surface.corner(face, prev_corner(k)) - surface.corner(face, next_corner(k));
+    return dot(edge, edge);
+  };
+  uint32_t farthest = 1;
+  for (const uint32_t k : {2u, 0u}) {
+    if (opposite(k) < opposite(farthest)) farthest = k;
+  }
+  return farthest;
+}
+
+void PointsOfFaces::sort_within_faces(const Surface& surface, ThreadPool& pool) {
   constexpr size_t kBlock = 1024;
   pool.for_blocks(first_.size() - 2, kBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t f = begin; f < end; ++f) {
       const std::span<Item> items = std::span(items_).subspan(first_[f], first_[f + 1] - first_[f]);
       if (items.size() <= kFew) continue;
-      std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
-        return a.b.x != b.b.x ? a.b.x < b.b.x : a.index < b.index;
+      const uint32_t corner = across(surface, static_cast<uint32_t>(f));
+      std::sort(items.begin(), items.end(), [&](const Item& a, const Item& b) {
+        const double of_a = weight(a.b, corner), of_b = weight(b.b, corner);
+        return of_a != of_b ? of_a < of_b : a.index < b.index;
       });
     }
   });
@@ -37,10 +51,13 @@ inline void WindowSearch::look_at(uint32_t face, Vec2 c0, Vec2 c1, Vec2 c2, cons
   const Vec2 e1 = c1 - c0, e2 = c2 - c0;
   auto first = points.begin(), last = points.end();
   if (points.size() > PointsOfFaces::kFew) {
-    // b.x grows across the face, from the side of e2 on: only a strip of it is as near as the disc.
-    const double across = cross(e1, e2), middle = cross(Vec2{least_, 0} - c0, e2) / across;
-    const double half = least_ * norm(e2) / across;
-    const auto before = [](const PointsOfFaces::Item& p, double x) { return p.b.x < x; };
+    // They are in an order across the face, from an edge on: only a strip of it is as near as the disc.
+    const uint32_t corner = PointsOfFaces::across(surface_, face);
+    const Vec2 corners[3] = {c0, c1, c2}, edge_start = corners[next_corner(corner)];
+    const Vec2 edge = corners[prev_corner(corner)] - edge_start;
+    const double across = cross(e1, e2), middle = cross(edge, Vec2{least_, 0} - edge_start) / across;
+    const double half = least_ * norm(edge) / across;
+    const auto before = [&](const PointsOfFaces::Item& p, double x) { return PointsOfFaces::weight(p.b, corner) < x; };
     first = std::lower_bound(first, last, middle - half, before);
     last = std::lower_bound(first, last, middle + half, before);
   }

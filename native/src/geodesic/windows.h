@@ -31,17 +31,24 @@ class PointsOfFaces {
     for (uint32_t i = 0; i < count; ++i) ++first_[point(i).face + 2];
     for (size_t f = 2; f < first_.size(); ++f) first_[f] += first_[f - 1];
     for (uint32_t i = 0; i < count; ++i) items_[first_[point(i).face + 1]++] = {point(i).b, i};
-    sort_within_faces(pool);
+    sort_within_faces(surface, pool);
   }
 
-  /// Those of a face: in the order of b.x if there are more than kFew, else of their indices.
+  /// Those of a face: from the edge opposite to across(surface, face) on if there are more than kFew, else in the order
+  /// of their indices.
   std::span<const Item> of(uint32_t face) const {
     return std::span(items_).subspan(first_[face], first_[face + 1] - first_[face]);
   }
   static constexpr size_t kFew = 16;
 
+  /// The corner of a face that is farthest from the opposite edge: points far from one another along a thin face are so
+  /// in their order then.
+  static uint32_t across(const Surface& surface, uint32_t face);
+  /// How much a corner weighs at a place of its face.
+  static double weight(Vec2 b, uint32_t corner) { return corner == 0 ? 1 - b.x - b.y : corner == 1 ? b.x : b.y; }
+
  private:
-  void sort_within_faces(ThreadPool& pool);
+  void sort_within_faces(const Surface& surface, ThreadPool& pool);
 
   std::vector<uint32_t> first_;  // of each face, and the end of the last
   std::vector<Item> items_;
