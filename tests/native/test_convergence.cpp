@@ -424,8 +424,8 @@ TEST(Convergence, StallsAfterSomeIterationsInARow) {
   }
 }
 
-/// Where the rest that was laid is most of the curve, that is finished as one that has filled the surface from its start:
-/// it has no hairpins to remove.
+/// Where the rest that was laid is most of the curve, that is finished as one that has filled the surface from its
+/// start: it has no hairpins to remove.
 TEST(Convergence, OfWhatIsMostlyLaid) {
   for (const double laid : {1.5, 3.0}) {
     FlowSettings settings = with_polish();
@@ -436,13 +436,14 @@ TEST(Convergence, OfWhatIsMostlyLaid) {
     figures.length = 1;
     figures.wanted = figures.moved = 1;
     figures.far_share = 0.5;
-    while (n.convergence.phase() != Phase::kLayingRest) n.convergence.note(n.surface, n.curve, n.metric, figures, n.pool);
+    const auto note = [&] { n.convergence.note(n.surface, n.curve, n.metric, figures, n.pool); };
+    while (n.convergence.phase() != Phase::kLayingRest) note();
     figures.length = laid;
     figures.laid = true;
     figures.far_share = 0;
-    n.convergence.note(n.surface, n.curve, n.metric, figures, n.pool);
+    note();
     figures.laid = false;
-    while (grows_in(n.convergence.phase())) n.convergence.note(n.surface, n.curve, n.metric, figures, n.pool);
+    while (grows_in(n.convergence.phase())) note();
     EXPECT_EQ(n.convergence.phase(), laid > 2 ? Phase::kPolishing : Phase::kHairpinRemoval);
     EXPECT_EQ(n.convergence.began_full(), laid > 2);
   }
