@@ -63,6 +63,29 @@ export async function refill(values) {
   await until((fill) => document.body.dataset.fill !== fill, fill);
 }
 
+/**
+ * Presses this key or button with the first picture of a run after so many. The page does it by itself: where the
+ * processors draw, what is pressed from here may come many seconds later.
+ */
+export const atPicture = (pictures, what) =>
+  page.evaluate(
+    ([pictures, what]) =>
+      new Promise((resolve) => {
+        const observer = new MutationObserver(press);
+        function press() {
+          const { run, pictures: shown } = document.body.dataset;
+          if (run !== "running" || Number(shown) <= pictures) return;
+          observer.disconnect();
+          if (what === "Escape") document.dispatchEvent(new KeyboardEvent("keydown", { key: what }));
+          else document.getElementById(what).click();
+          resolve();
+        }
+        observer.observe(document.body, { attributes: true });
+        press();
+      }),
+    [pictures, what],
+  );
+
 /** Drops a file of this name onto the page; gives what refused() takes. */
 export async function drop(name, contents) {
   const problems = (await state()).problems ?? "0";

@@ -10,7 +10,8 @@ import { createRequire } from "node:module";
 import path from "node:path";
 import test from "node:test";
 import {
-  complaints, context, done, drop, load, page, profile, refill, refused, root, saved, set, sheet, shot, state, text, until,
+  atPicture, complaints, context, done, drop, load, page, profile, refill, refused, root, saved, set, sheet, shot, state, text,
+  until,
 } from "./browser.mjs";
 
 // Rules of accessibility, WCAG's among them.
@@ -32,29 +33,6 @@ async function barriers() {
     return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join("; ")}`);
   });
 }
-
-/**
- * Presses this key or button with the first picture of a run after so many. The page does it by itself: where the
- * processors draw, what is pressed from here may come many seconds later.
- */
-const atPicture = (pictures, what) =>
-  page.evaluate(
-    ([pictures, what]) =>
-      new Promise((resolve) => {
-        const observer = new MutationObserver(press);
-        function press() {
-          const { run, pictures: shown } = document.body.dataset;
-          if (run !== "running" || Number(shown) <= pictures) return;
-          observer.disconnect();
-          if (what === "Escape") document.dispatchEvent(new KeyboardEvent("keydown", { key: what }));
-          else document.getElementById(what).click();
-          resolve();
-        }
-        observer.observe(document.body, { attributes: true });
-        press();
-      }),
-    [pictures, what],
-  );
 
 /** Until the picture is another one than `before`. */
 async function differs(before) {

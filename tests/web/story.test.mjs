@@ -7,7 +7,8 @@ import fs from "node:fs";
 import path from "node:path";
 import test from "node:test";
 import {
-  asked, complaints, done, drop, load, page, profile, refill, refused, running, saved, sheet, shot, state, text, until,
+  asked, atPicture, complaints, done, drop, load, page, profile, refill, refused, running, saved, sheet, shot, state, text,
+  until,
 } from "./browser.mjs";
 
 test("a surface is there, and its line grows", async () => {
@@ -68,8 +69,7 @@ test("a mesh too large for a tab is refused before it is read", async () => {
 
 test("a run is stopped by Esc, and its line is kept", async () => {
   await refill({ across: 100 });
-  await running();
-  await page.keyboard.press("Escape");
+  await atPicture(0, "Escape");
   await done();
   assert.match(await text("status"), /^Stopped: /);
   assert.match((await saved("obj")).toString(), /^l /m);
