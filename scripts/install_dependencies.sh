@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # install_dependencies.sh [--bpy VERSION]... [--site] [--farm] [--sanitizers] [--csharp]
-# install_dependencies.sh --package [--emulators] [--web] [--browser]
+# install_dependencies.sh --package [--emulators] [--web] [--wasi] [--browser]
 # install_dependencies.sh --build
 #
 # Installs what is missing for building, running and testing on Debian 12: Debian's packages with
@@ -18,7 +18,7 @@
 # --emulators also Wine, qemu and what else tests/platforms needs.
 #
 # With --web also Node, and in build/web-tools what web/package.json names, by npm: what
-# scripts/build_web.sh needs; with --browser Chromium, for scripts/test_web.sh.
+# scripts/build_web.sh needs; with --wasi Debian's C library for it, with --browser Chromium, for scripts/test_web.sh.
 #
 # With --build it installs what scripts/build.sh needs and nothing else.
 #
@@ -46,6 +46,7 @@ csharp_packages=(mono-mcs mono-runtime libmono-system-core4.0-cil)
 sanitizer_packages=(clang libclang-rt-dev python3-clang)
 package_packages=(ca-certificates cmake ninja-build python3 python3-markdown python3-venv "${header_packages[@]}")
 # Node runs 18 in Debian 12; a later one that is on the PATH is as good.
+wasi_packages=(wasi-libc libclang-rt-14-dev-wasm32)
 browser_packages=(chromium fonts-dejavu-core python3-numpy python3-pytest)
 emulator_packages=(python3-pytest python3-numpy gcc libc6-dev binutils llvm googletest
   wine wine64 qemu-user libc6-arm64-cross)
@@ -58,6 +59,7 @@ csharp=0
 package_tools=0
 emulators=0
 web=0
+wasi=0
 browser=0
 build_only=0
 while [ $# -gt 0 ]; do
@@ -70,9 +72,10 @@ while [ $# -gt 0 ]; do
     --package) package_tools=1; shift ;;
     --emulators) emulators=1; shift ;;
     --web) web=1; shift ;;
+    --wasi) wasi=1; shift ;;
     --browser) browser=1; shift ;;
     --build) build_only=1; shift ;;
-    *) echo "usage: $0 [--bpy VERSION]... [--site] [--farm] [--sanitizers] [--csharp] | --package [--emulators] [--web] [--browser] | --build" >&2
+    *) echo "usage: $0 [--bpy VERSION]... [--site] [--farm] [--sanitizers] [--csharp] | --package [--emulators] [--web] [--wasi] [--browser] | --build" >&2
        exit 2 ;;
   esac
 done
@@ -85,6 +88,7 @@ if [ $web -eq 1 ]; then
   command -v node >/dev/null || wanted+=(nodejs)
   command -v npm >/dev/null || wanted+=(npm)
 fi
+[ $wasi -eq 0 ] || wanted+=("${wasi_packages[@]}")
 [ $browser -eq 0 ] || wanted+=("${browser_packages[@]}")
 [ ${#bpy_versions[@]} -eq 0 ] || wanted+=("${bpy_packages[@]}")
 [ $site -eq 0 ] || wanted+=(ca-certificates python3-venv)

@@ -1,13 +1,26 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_web.sh
+# test_web.sh [--story]
 #
 # Makes build/web (scripts/build_web.sh) and tests it: every call in Node, the bytes of curves against those of the
 # native library, and the page's story in Chromium. The last line counts the tests. Where MEANDER_PICTURES names a
 # folder, pictures of the page are left there.
+#
+# With --story only the page's story, of a module that is compiled with Debian's C library.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+case "${1:-}" in
+  "") ;;
+  --story)
+    bash scripts/install_dependencies.sh --package --web --wasi --browser
+    MEANDER_WASI_LIBC=debian bash scripts/build_web.sh
+    exec node --test --test-reporter=tap tests/web/story.test.mjs
+    ;;
+  *) echo "usage: $0 [--story]" >&2
+     exit 2 ;;
+esac
 
 bash scripts/install_dependencies.sh --package --web --browser
 bash scripts/build.sh stage
