@@ -11,7 +11,6 @@ import numpy as np
 from meander.model.maps import png
 from stage import (
     PICTURES,
-    assert_no_timer,
     browser,
     changed_share,
     click,
@@ -109,4 +108,3 @@ def story() -> Iterator[float]:
     )
     yield from seen("picture_lighter")
     assert changed_share("picture_drawn", "picture_lighter") > 0.02
-    yield from assert_no_timer()
