@@ -203,7 +203,7 @@ class Flow(FlowRun):
         least_size   how far from the curve a place must be to count, in local r, at least 1;
                      0 leaves it to the library, which takes 1.2
         context      where it is cancelled, a MeanderError of the status CANCELLED is raised; its
-                     progress goes from 0 to 1
+                     progress goes from 0 to 1, and is afterwards what it was
 
         Costs one medial axis and a search; the curve stays as it is. Raises MeanderError for a
         size out of range.

@@ -179,7 +179,8 @@ MEANDER_API meander_status meander_gaps_init(meander_gaps* gaps, size_t struct_s
  *
  * least_size  how large a place must be to count, in local r, from 1 to 1e6; 0: 1.2
  * gaps        prepared by meander_gaps_init; receives them
- * context     or NULL; asked before the work begins and all the while. Its progress goes from 0 to 1
+ * context     or NULL; asked before the work begins and all the while. Its progress goes from 0 to 1,
+ *             and is afterwards what it was
  *
  * Costs one medial axis and a few nearest-point queries a node and face. The curve stays as it is. */
 MEANDER_API meander_status meander_flow_find_gaps(meander_flow* flow, double least_size,

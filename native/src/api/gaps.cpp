@@ -19,6 +19,25 @@ struct GapArrays {
   EmptyArea empty;
 };
 
+/// The progress of a context, for a search: afterwards it is that of the run again, which later steps go on from.
+class LentProgress {
+ public:
+  explicit LentProgress(meander_context* context) : share_(context ? &context->control->progress : nullptr) {
+    if (share_) of_run_ = *share_;
+  }
+  ~LentProgress() {
+    if (share_) *share_ = of_run_;
+  }
+  LentProgress(const LentProgress&) = delete;
+  LentProgress& operator=(const LentProgress&) = delete;
+
+  std::atomic<double>* share() const { return share_; }
+
+ private:
+  std::atomic<double>* share_;
+  double of_run_ = 0;
+};
+
 GapArrays in_terms_of_the_caller(const Gaps& gaps, const Surface& surface, const MeshMap* map) {
   GapArrays found;
   found.empty = gaps.empty;
@@ -43,9 +62,10 @@ meander_status meander_flow_find_gaps(meander_flow* flow, double least_size, mea
     if (least_size != 0) require_range(least_size, 1, 1e6, "least_size (in units of the local r)");
     check_cancelled(context);
     Flow& f = *flow->flow;
-    std::atomic<double>* told = context ? &context->control->progress : nullptr;
-    GapArrays found = in_terms_of_the_caller(
-        find_gaps(f, least_size != 0 ? least_size : kGapSize, cancel_of(context), told), f.surface(), flow->map.get());
+    const LentProgress lent(context);
+    GapArrays found =
+        in_terms_of_the_caller(find_gaps(f, least_size != 0 ? least_size : kGapSize, cancel_of(context), lent.share()),
+                               f.surface(), flow->map.get());
     check_cancelled(context);
     hand_out(gaps, std::move(found), [](const GapArrays& arrays, meander_gaps& g) {
       g.count = arrays.sizes.size();

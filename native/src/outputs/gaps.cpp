@@ -232,11 +232,11 @@ Gaps emptiest_places(const Flow::Present& present, double least_size, Told& told
 
 }  // namespace
 
-Gaps find_gaps(Flow& flow, double least_size, const CancelToken& cancel, std::atomic<double>* share) {
-  Told told(share);
+Gaps find_gaps(Flow& flow, double least_size, const CancelToken& cancel, std::atomic<double>* told) {
+  Told search(told);
   return flow.ask([&](const Flow::Present& present) {
-    Gaps found = emptiest_places(present, least_size, told);
-    told.at(1);
+    Gaps found = emptiest_places(present, least_size, search);
+    search.at(1);
     for (Gap& gap : found.gaps) gap.radius *= present.state.domain.stretch_at(gap.centre);
     return found;
   }, cancel);
