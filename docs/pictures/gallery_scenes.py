@@ -167,18 +167,28 @@ def flowing() -> None:
     place(*shown, camera=(0.4, -6.8, 3.2), target=(0.1, 0.0, -0.1), lens=47.0)
 
 
+def on_a_plinth(
+    head: bpy.types.Object, lean: float, sides: int, voxel: float
+) -> bpy.types.Object:
+    """A bust: a head that leans back by so many degrees, a neck and shoulders, as one surface."""
+    head.rotation_euler = (math.radians(lean), 0.0, 0.0)
+    head.location.z = 1.1
+    bpy.ops.mesh.primitive_cylinder_add(
+        vertices=sides, radius=0.48, depth=1.4, location=(0, 0.2, 0.2)
+    )
+    neck = active()
+    bpy.ops.mesh.primitive_uv_sphere_add(
+        segments=sides, ring_count=sides // 2, location=(0, 0.2, -0.35)
+    )
+    shoulders = active()
+    shoulders.scale = (1.35, 0.62, 0.42)
+    return carved("Bust", [head, neck, shoulders], voxel)
+
+
 @scene
 def bust() -> None:
     """Rows that follow strokes: round neck and shoulders, and down the face."""
-    parts = [suzanne()]
-    parts[0].rotation_euler = (math.radians(-12.0), 0.0, 0.0)
-    parts[0].location.z = 1.1
-    bpy.ops.mesh.primitive_cylinder_add(vertices=48, radius=0.48, depth=1.4, location=(0, 0.2, 0.2))
-    parts.append(active())
-    bpy.ops.mesh.primitive_uv_sphere_add(segments=48, ring_count=24, location=(0, 0.2, -0.35))
-    parts.append(active())
-    parts[-1].scale = (1.35, 0.62, 0.42)
-    figure = carved("Bust", parts, 0.035)
+    figure = on_a_plinth(suzanne(), -12.0, 48, 0.035)
 
     rings = [
         [(radius * math.cos(t), 0.2 + depth * math.sin(t), height) for t in _ROUND]

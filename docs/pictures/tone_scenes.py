@@ -9,7 +9,7 @@ import math
 import bpy
 import numpy as np
 import studio
-from gallery_scenes import active, carved, dress, fill, place, scene, suzanne
+from gallery_scenes import active, dress, fill, on_a_plinth, place, scene, suzanne
 
 SKIN = (0.70, 0.37, 0.23)
 INK = (0.010, 0.018, 0.030)
@@ -26,15 +26,7 @@ _RINGS = ((9, 0.98, 0.42, 0.0), (9, 0.68, 0.16, 0.5), (5, 0.36, 0.1, 0.0))
 def engraving() -> None:
     """A bust on paper, in level rows: the line alone shows its form, by the light that is baked to
     its points."""
-    parts = [suzanne(3)]
-    parts[0].rotation_euler = (math.radians(-4.0), 0.0, 0.0)
-    parts[0].location.z = 1.1
-    bpy.ops.mesh.primitive_cylinder_add(vertices=64, radius=0.48, depth=1.4, location=(0, 0.2, 0.2))
-    parts.append(active())
-    bpy.ops.mesh.primitive_uv_sphere_add(segments=64, ring_count=32, location=(0, 0.2, -0.35))
-    parts.append(active())
-    parts[-1].scale = (1.35, 0.62, 0.42)
-    figure = carved("Bust", parts, 0.02)
+    figure = on_a_plinth(suzanne(3), -4.0, 64, 0.02)
     dress(figure, (0.8, 0.8, 0.8), 1.0)
     bake_light(figure)
     rows_across(figure, (0.25, -0.45, 1.0))

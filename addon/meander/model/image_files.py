@@ -7,9 +7,12 @@ import os
 import re
 from collections.abc import Callable, Generator, Sequence
 from pathlib import Path
+from typing import TypeVar
 
 from .. import core
 from .maps import KINDS, MOST_TILES, Mapped, NoPlace, Style, Tile
+
+_Result = TypeVar("_Result")
 
 # From this share of pixels in two places on it is worth a word.
 _OVERLAPPING = 0.005
@@ -33,7 +36,16 @@ def images(
 
     Raises NoPlace.
     """
-    work = drawn(mapped, path, kinds, style, context)
+    return finished(drawn(mapped, path, kinds, style, context), progress)
+
+
+def finished(
+    work: Generator[float, None, _Result], progress: Callable[[float], None]
+) -> _Result:
+    """Does the rest of what is done piece by piece, and returns what comes of it.
+
+    progress   called with the share that is done
+    """
     while True:
         try:
             progress(next(work))

@@ -71,11 +71,7 @@ def images_of(
     Raises DataError and core.MeanderError.
     """
     work = drawn_images(result, context, path, kinds, style, uv_map)
-    while True:
-        try:
-            progress(next(work))
-        except StopIteration as end:
-            return end.value
+    return image_files.finished(work, progress)
 
 
 def drawn_images(
