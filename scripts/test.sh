@@ -39,7 +39,7 @@ bash scripts/install_dependencies.sh --build
 # The rest, Blender and much else, is fetched and unpacked while the first programs are built.
 {
   bash scripts/install_dependencies.sh --bpy 4.5 --site --sanitizers $($all && echo --csharp)
-  bash scripts/install_dependencies.sh --package $($all && echo --emulators)
+  bash scripts/install_dependencies.sh --package --web --wasi --browser $($all && echo --emulators)
 } >"$logs/install.log" 2>&1 &
 installing=$!
 trap 'wait $installing' EXIT # a package manager is not left behind halfway
@@ -184,6 +184,7 @@ if $all; then
   beside suite bytes 2400 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_same_bytes.sh
   beside suite web 2400 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_web.sh
 fi
+$all || beside check page 900 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_web.sh --story
 profile core
 beside suite core 900 "${in_profile[@]}" \
   /usr/bin/python3 -m pytest -q -p no:cacheprovider "${for_machines[@]/#/--ignore=}" tests/core
