@@ -15,6 +15,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 case "${1:-}" in
   "")
     story=false
+    bash scripts/install_dependencies.sh --build
     bash scripts/install_dependencies.sh --package --web --browser
     bash scripts/build.sh stage
     bash scripts/build_web.sh
