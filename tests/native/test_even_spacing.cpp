@@ -105,6 +105,23 @@ TEST(EvenSpacing, IsTheOneAskedForHoweverStiffStrandsAre) {
   }
 }
 
+// Strands that a field holds cannot give way: where nothing is done about it they rest at .94 when they have grown.
+TEST(EvenSpacing, IsTheOneAskedForAlongAField) {
+  for (const double weight : {2.0, 4.0}) {
+    SCOPED_TRACE(testing::Message() << "weight " << weight);
+    const Mesh mesh = flat_grid(20);
+    meander_flow_options options = options_with(1.0 / 32, 1, MEANDER_PRESET_EVEN);
+    options.alignment_weight = weight;
+    const FlowHandle flow = make_flow(mesh, options);
+    std::vector<double> along_x(3 * mesh.vertex_count(), 0);
+    for (size_t k = 0; k < along_x.size(); k += 3) along_x[k] = 1;
+    ASSERT_EQ(meander_flow_set_directions(flow.get(), along_x.data(), mesh.vertex_count(), 0, nullptr),
+              MEANDER_STATUS_OK);
+    ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
+    EXPECT_NEAR(median_spacing(*flow->flow), 1, kSpacingOff);
+  }
+}
+
 // Rows of a full start on a square are a whole number; a sphere takes any spacing.
 TEST(EvenSpacing, MakesTheCurveAsLongAsTheSurfaceIsWideForIt) {
   for (const meander_preset preset : {MEANDER_PRESET_EVEN, MEANDER_PRESET_FINEST}) {

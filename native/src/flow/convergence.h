@@ -24,6 +24,7 @@ struct IterationFigures {
   double far_share = 0;
   double alone_share = 0;        ///< of the nodes, those that lie_alone
   double slack_share = 0;        ///< of the nodes, those with room on both sides (slack_share)
+  double correction = 1;         ///< of r, for the next iteration; see Domain
   bool laid = false;             ///< the iteration laid something; see Iteration::lay
 };
 

@@ -59,7 +59,7 @@ Domain::Domain(std::shared_ptr<const Surface> where, RadiusField asked, LineFiel
 
 void Domain::set_radius(double factor, const Curve& curve, const FlowSettings& settings) {
   RadiusField whole = wanted_radius;
-  whole.set_multiple(wanted_radius, factor);
+  whole.set_multiple(wanted_radius, factor * correction);
   RadiusField next = whole;
   const bool may_be_less = settings.stop_rule != StopRule::kPaper && settings.boundary_distance <= 0.5;
   const Room room = may_be_less ? leave_room(*surface, curve, next) : Room{};

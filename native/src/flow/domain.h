@@ -37,10 +37,19 @@ struct Domain {
   /// less; see leave_room. What follows the paper has it everywhere.
   void set_radius(double factor, const Curve& curve, const FlowSettings& settings);
 
+  /// Goes on with r `next` times as large as without a correction.
+  void correct(double next) noexcept {
+    if (next == correction) return;
+    for (RadiusField* r : {&radius, whole_radius ? &*whole_radius : nullptr}) {
+      if (r) r->rescale(correction, next);
+    }
+    correction = next;
+  }
+
   /// r by which results are judged, whatever room there is: where strands are to come to rest.
   RadiusField judged_radius() const {
     RadiusField r = whole_radius ? *whole_radius : radius;
-    r.rescale(1, rest);
+    r.rescale(correction, rest);
     return r;
   }
 
@@ -66,8 +75,9 @@ struct Domain {
   /// much larger as strands come to rest nearer to one another.
   std::shared_ptr<const Surface> surface;
   double rest = 1;            ///< FlowSettings::rest()
-  RadiusField wanted_radius;  ///< r as it is to be in the end,
-  RadiusField radius;         ///< and as it is while the curve approaches its spacing, or has no room for that:
+  double correction = 1;      ///< of r, as strands come nearer to one another here, or less near, than `rest` says
+  RadiusField wanted_radius;  ///< r as it is to be in the end, but for the correction,
+  RadiusField radius;         ///< and as it is, also while the curve approaches its spacing, or has no room for that:
   std::optional<RadiusField> whole_radius;  ///< then what it would be with room, else nothing
   bool narrow = false;        ///< part of the surface is a narrow strip, see leave_room
   Roughness roughness;

@@ -37,7 +37,7 @@ class FarPlaces {
     double reach = 0;
     for (const Vec2& corner : corners) reach = std::max(reach, norm(corner - middle));
     const SurfacePoint p = point_at(s_, face, middle);
-    const double r = domain_.rest * domain_.radius.at(s_, p), far = kFarFromNodes * r;
+    const double r = domain_.rest / domain_.correction * domain_.radius.at(s_, p), far = kFarFromNodes * r;
     const bool small = reach < kGrain * r;
     // What is so near to a node that all of the triangle is near to it need not be divided.
     if (small || reach < far) {

@@ -13,6 +13,7 @@
 #include "flow/clamped_nodes.h"
 #include "flow/free_nodes.h"
 #include "flow/invariant.h"
+#include "flow/spacing_correction.h"
 #include "flow/weighting.h"
 #include "seed/full_start.h"
 
@@ -106,6 +107,12 @@ void Iteration::solve() {
   figures_.clamped_share = clamped_share(curve, work_.medial.radii, metric, pool_);
   figures_.alone_share = alone_share(curve, work_.medial.radii, work_.medial.reach, metric, pool_);
   figures_.slack_share = slack_share(curve, work_.medial.radii, metric, pool_);
+  figures_.correction = before().domain.correction;
+  if (plan_.corrects_spacing && !before().domain.whole_radius) {
+    const double spacing = median_spacing(curve, work_.medial.radii, metric) / before().domain.rest;
+    const bool coarse = plan_.segment_length > before().settings.segment_length;
+    figures_.correction = corrected(figures_.correction, spacing * figures_.correction, coarse);
+  }
   figures_.wanted = mean_over_movable(curve, pool_, [&](uint32_t i) { return norm(d[i]) / metric.radius[i]; });
   record_.mean_step = sum_over_free(curve, pool_, [&](uint32_t i) { return norm(d[i]); }) / count;
   record_.energy = energy(curve, work_.medial.felt_radii, metric, work_.weights, pool_);
@@ -161,6 +168,7 @@ void Iteration::commit(FlowState& state, RunRecord& record, double seconds) noex
   std::swap(static_cast<CurveState&>(state), after());
   after().hand_on();
   if (report_) state.start = std::move(*report_);
+  state.domain.correct(figures_.correction);
   record_.seconds = seconds_.total = seconds;
   record.add(record_, seconds_);
 }

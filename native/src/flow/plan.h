@@ -42,6 +42,7 @@ struct IterationPlan {
   /// Strands that have so much room on both sides, in the local r, are pushed to one and the other in turn; see
   /// perturb_empty_stretches.
   double room = 0;
+  bool corrects_spacing = false;  ///< r follows how far apart strands come to be; see corrected()
   double hairpin_pull = 0;    ///< the length weight that draws in runs between hairpins while these are removed
   /// Balls are measured near creases only from the middle of the polish on. Growth and hairpin removal only need to
   /// know what is hidden, and the first iterations of the polish too: curves are as even, for a fifth of the time less.

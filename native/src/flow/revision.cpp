@@ -63,6 +63,7 @@ void Flow::revise(FlowSettings settings, const VertexData<double>* density, cons
   }
   Convergence convergence = convergence_.revised(settings, mean_change(state_, next, pool),
                                                  grows_otherwise(state_.settings, settings));
+  if (grows_in(convergence.phase())) next.domain.correct(1);
   const IterationPlan plan = plan_iteration(settings, convergence.phase(), 0, convergence.began_full());
   work_.refiner.cut_guides(next, plan, pool);
   work_.refiner.refine(next, plan, pool);

@@ -14,8 +14,10 @@ double FlowSettings::rest(bool directed) const {
       std::clamp(polish_bending_weight / kUsualBending, 1 / kMostStiffness, kMostStiffness);
   const double looser = elementary::pow(stiffness, kLooserWhereStiff);
   if (!directed) return polish_rest * looser;
+  const double most = full_start ? kLooserWhereLaid : kLooserWhereGrown;
+  const double half = full_start ? kHalfLooserWhereLaid : kHalfLooserWhereGrown;
   const double squared = alignment_weight * alignment_weight;
-  return (polish_rest + kLooserAlongField * squared / (squared + kHalfLooser * kHalfLooser)) * looser;
+  return (polish_rest + most * squared / (squared + half * half)) * looser;
 }
 
 FlowSettings FlowSettings::rescaled(double factor) const {
