@@ -176,7 +176,7 @@ meander_flow_options default_options(meander_preset preset) {
   o.tunings[index_of_tuning("polish_length_offset")] = finest ? -2.8 : -1.16;
   o.tunings[index_of_tuning("polish_length_gain")] = finest ? 16 : 3;
   o.tunings[index_of_tuning("polish_medial_power")] = 8;
-  o.tunings[index_of_tuning("polish_rest")] = 0.968;
+  o.tunings[index_of_tuning("polish_rest")] = kUsualRest;
   return o;
 }
 

@@ -107,12 +107,7 @@ void Iteration::solve() {
   figures_.clamped_share = clamped_share(curve, work_.medial.radii, metric, pool_);
   figures_.alone_share = alone_share(curve, work_.medial.radii, work_.medial.reach, metric, pool_);
   figures_.slack_share = slack_share(curve, work_.medial.radii, metric, pool_);
-  figures_.correction = before().domain.correction;
-  if (plan_.corrects_spacing && !before().domain.whole_radius) {
-    const double spacing = median_spacing(curve, work_.medial.radii, metric) / before().domain.rest;
-    const bool coarse = plan_.segment_length > before().settings.segment_length;
-    figures_.correction = corrected(figures_.correction, spacing * figures_.correction, coarse);
-  }
+  figures_.correction = next_correction(plan_, before(), work_.medial.radii);
   figures_.wanted = mean_over_movable(curve, pool_, [&](uint32_t i) { return norm(d[i]) / metric.radius[i]; });
   record_.mean_step = sum_over_free(curve, pool_, [&](uint32_t i) { return norm(d[i]); }) / count;
   record_.energy = energy(curve, work_.medial.felt_radii, metric, work_.weights, pool_);

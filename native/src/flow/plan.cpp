@@ -64,7 +64,8 @@ IterationPlan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t
   plan.medial.measure = !settings.polish || phase > Phase::kPolishing ||
                         (phase == Phase::kPolishing && iterations_in_phase >= kUnmeasuredPolish);
   plan.medial.boundary_within = plan.medial.boundary_ease > 0 ? kBesideBoundary : 0;
-  plan.corrects_spacing = plan.medial.measure && phase == Phase::kPolishing;
+  if (phase == Phase::kPolishing && plan.medial.measure) plan.correction = SpacingCorrection::kSought;
+  if (phase == Phase::kFinishing) plan.correction = SpacingCorrection::kTakenBack;
   if (!settles) plan.medial.very_near = kVeryNearOfPaper;
   plan.firm_boundary = settles;
   plan.firm_when_squeezed = settles && full;

@@ -20,6 +20,13 @@ enum class Phase {
   kCooling          ///< a few iterations with short steps, so that nothing is left in mid-leap
 };
 
+/// What becomes of the correction of r by how far apart strands come to be; see corrected().
+enum class SpacingCorrection {
+  kKept,
+  kSought,    ///< it follows what strands come to with long segments
+  kTakenBack  ///< where it proves to have been too much, with short ones
+};
+
 /// Whether the curve still grows.
 inline bool grows_in(Phase phase) { return phase <= Phase::kLayingRest; }
 
@@ -42,7 +49,7 @@ struct IterationPlan {
   /// Strands that have so much room on both sides, in the local r, are pushed to one and the other in turn; see
   /// perturb_empty_stretches.
   double room = 0;
-  bool corrects_spacing = false;  ///< r follows how far apart strands come to be; see corrected()
+  SpacingCorrection correction = SpacingCorrection::kKept;
   double hairpin_pull = 0;    ///< the length weight that draws in runs between hairpins while these are removed
   /// Balls are measured near creases only from the middle of the polish on. Growth and hairpin removal only need to
   /// know what is hidden, and the first iterations of the polish too: curves are as even, for a fifth of the time less.

@@ -7,17 +7,27 @@
 #include "flow/constants.h"
 
 namespace meander {
+namespace {
 
-double FlowSettings::rest(bool directed) const {
-  if (!polish) return 1;
+/// Where strands of these settings come to rest if what are as stiff as the presets', and follow nothing, come to
+/// `free`.
+double rest_of(const FlowSettings& settings, double free, bool directed) {
   const double stiffness =
-      std::clamp(polish_bending_weight / kUsualBending, 1 / kMostStiffness, kMostStiffness);
+      std::clamp(settings.polish_bending_weight / kUsualBending, 1 / kMostStiffness, kMostStiffness);
   const double looser = elementary::pow(stiffness, kLooserWhereStiff);
-  if (!directed) return polish_rest * looser;
-  const double most = full_start ? kLooserWhereLaid : kLooserWhereGrown;
-  const double half = full_start ? kHalfLooserWhereLaid : kHalfLooserWhereGrown;
-  const double squared = alignment_weight * alignment_weight;
-  return (polish_rest + most * squared / (squared + half * half)) * looser;
+  if (!directed) return free * looser;
+  const double most = settings.full_start ? kLooserWhereLaid : kLooserWhereGrown;
+  const double half = settings.full_start ? kHalfLooserWhereLaid : kHalfLooserWhereGrown;
+  const double squared = settings.alignment_weight * settings.alignment_weight;
+  return (free + most * squared / (squared + half * half)) * looser;
+}
+
+}  // namespace
+
+double FlowSettings::rest(bool directed) const { return polish ? rest_of(*this, polish_rest, directed) : 1; }
+
+double FlowSettings::usual_spacing(bool directed) const {
+  return polish ? rest_of(*this, kUsualRest, directed) / rest(directed) : 1;
 }
 
 FlowSettings FlowSettings::rescaled(double factor) const {

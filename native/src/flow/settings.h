@@ -16,6 +16,10 @@ enum class StopRule { kSettled, kPaper };
 /// Whether balls are straight through space or along the surface; see MEANDER_MEDIAL_AXIS_...
 enum class MedialAxis { kEuclidean, kGeodesic };
 
+/// polish_rest where strands of the presets' stiffness come to rest on a usual surface. docs/decisions.md, "The spacing
+/// that is asked for".
+inline constexpr double kUsualRest = 0.968;
+
 /// meander_flow_options, checked; lengths in the surface's own unit. What each means is said there.
 struct FlowSettings {
   double radius = 0;
@@ -63,6 +67,9 @@ struct FlowSettings {
   /// Where strands come to rest in the end, in the median and in the r that the flow wants; there may be directions
   /// for them to follow.
   double rest(bool directed) const;
+  /// What strands of a usual surface come to be apart, over the spacing: 1 unless polish_rest is not the usual one, so
+  /// that they are to be nearer or farther apart.
+  double usual_spacing(bool directed) const;
   /// The same on a surface whose unit is `factor` times smaller.
   FlowSettings rescaled(double factor) const;
   /// The same with another r, and lengths that are in proportion to it.

@@ -12,8 +12,8 @@ namespace {
 /// A median of more nodes says no more.
 constexpr uint32_t kMostLookedAt = 1u << 16;
 
-}  // namespace
-
+/// The median of the medial radii on both sides of the nodes that are not of guides, in the local r; 0 where there are
+/// none. Of very many nodes evenly many are looked at.
 double median_spacing(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric) {
   const uint32_t stride = curve.size() / kMostLookedAt + 1;
   std::vector<double> spacing;
@@ -28,11 +28,23 @@ double median_spacing(const Curve& curve, const NodeData<Radii>& radii, const Lo
   return *middle;
 }
 
-double corrected(double correction, double spacing, bool coarse) {
-  if (!(spacing > 0)) return correction;
-  const double off = spacing / (coarse ? kCoarseSpacing : 1) - 1;
-  const double too_far = off - std::clamp(off, -kCloseEnough, kCloseEnough);
-  return std::clamp(correction * (1 - kCorrecting * too_far), 1 - kMostCorrection, 1 + kMostCorrection);
+}  // namespace
+
+double next_correction(const IterationPlan& plan, const FlowState& before, const NodeData<Radii>& radii) {
+  const Domain& domain = before.domain;
+  const double now = domain.correction;
+  // What is not corrected has nothing to take back, and in narrow parts r is that of the room.
+  const bool takes_back = plan.correction == SpacingCorrection::kTakenBack;
+  if (plan.correction == SpacingCorrection::kKept || (takes_back && now == 1) || domain.whole_radius) return now;
+  const double found = median_spacing(before.curve, radii, before.metric) / domain.rest * now;
+  if (!(found > 0)) return now;
+  const bool coarse = plan.segment_length > before.settings.segment_length;
+  const double usual = before.settings.usual_spacing(!domain.directions.empty()) * (coarse ? kCoarseSpacing : 1);
+  const double off = found / usual - 1;
+  const double close = takes_back ? 0 : kCloseEnough;
+  const double next = now * (1 - kCorrecting * (off - std::clamp(off, -close, close)));
+  if (takes_back) return std::clamp(next, std::min(1.0, now), std::max(1.0, now));
+  return std::clamp(next, 1 - kMostCorrection, 1 + kMostCorrection);
 }
 
 }  // namespace meander
