@@ -30,6 +30,8 @@ _PLACES, _APART, _MIDDLE = 96, 0.8, 2.5
 # A way leads through if so much of it is in the middle, and it comes so near to the place inmost,
 # as shares, and is so many times as long as the doors can be apart: no straight passage.
 _INNER, _DEEP, _LEAST = 0.5, 0.7, 1.3
+# In spacings: ways that differ by no more in the middle differ only in how they come to it.
+_AS_INNER = 0.1
 # In spacings: what is shorter is no corridor. The angle of a turn, and over which length it is.
 _CORRIDOR, _TURN, _STEP = 1.0, np.radians(60.0), 1.0
 
@@ -145,7 +147,7 @@ class Maze:
         away[passed] = self._from_border(passed)
         courses = [self._course(way, away) for way in found]
         deep, least = _DEEP * float(away.max()), _LEAST * float(apart.max())
-        best, pair = (False, -1.0), (0, len(ends) - 1)
+        best, pair = (False, -1.0, 0.0), (0, len(ends) - 1)
         # Corridors are a tree: the way between two doors is what their ways from anywhere do not
         # have in common.
         for i, j in zip(*np.nonzero(np.triu(apart >= _APART * apart.max(), 1)), strict=True):
@@ -156,7 +158,10 @@ class Maze:
             )
             deepest = max(courses[i][2][same], courses[j][2][same])
             through = inner >= _INNER * whole and deepest >= deep and whole >= least
-            rated = (bool(through), float(inner))
+            # Many doors lead to the same way in the middle, and where none leads through, the longest
+            # way to it is no straight passage along the rim.
+            alike = round(inner / (_AS_INNER * self._spacing))
+            rated = (True, float(inner), 0.0) if through else (False, alike, float(whole))
             if rated > best:
                 best, pair = rated, (int(i), int(j))
         return *pair, best[0]
