@@ -105,6 +105,19 @@ TEST(EvenSpacing, IsTheOneAskedForHoweverStiffStrandsAre) {
   }
 }
 
+// As a bend radius that is asked for needs it: whoever says where strands rest is not corrected back to the spacing.
+TEST(EvenSpacing, IsAsMuchWiderAsStiffStrandsAreLetBe) {
+  constexpr double kStiffness = 4;
+  const double wider = std::pow(kStiffness, 1.0 / 9);
+  meander_flow_options options = options_with(1.0 / 32, 1, MEANDER_PRESET_EVEN);
+  options.bending_weight *= kStiffness;
+  options.polish_bending_weight *= kStiffness;
+  ASSERT_EQ(meander_flow_options_set_tuning(&options, "polish_rest", 0.968 / wider, nullptr), MEANDER_STATUS_OK);
+  const FlowHandle flow = make_flow(flat_grid(20), options);
+  ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
+  EXPECT_NEAR(median_spacing(*flow->flow), wider, 2 * kSpacingOff);
+}
+
 // Strands that a field holds cannot give way: where nothing is done about it they rest at .94 when they have grown.
 TEST(EvenSpacing, IsTheOneAskedForAlongAField) {
   for (const double weight : {2.0, 4.0}) {
