@@ -41,8 +41,8 @@ double next_correction(const IterationPlan& plan, const FlowState& before, const
   const bool coarse = plan.segment_length > before.settings.segment_length;
   const double usual = before.settings.usual_spacing(!domain.directions.empty()) * (coarse ? kCoarseSpacing : 1);
   const double off = found / usual - 1;
-  const double close = takes_back ? 0 : kCloseEnough;
-  const double next = now * (1 - kCorrecting * (off - std::clamp(off, -close, close)));
+  const double too_far = off - std::clamp(off, -kCloseEnough, kCloseEnough);
+  const double next = now * (1 - kCorrecting * too_far);
   if (takes_back) return std::clamp(next, std::min(1.0, now), std::max(1.0, now));
   return std::clamp(next, 1 - kMostCorrection, 1 + kMostCorrection);
 }
