@@ -158,7 +158,7 @@ class Maze:
             )
             deepest = max(courses[i][2][same], courses[j][2][same])
             through = inner >= _INNER * whole and deepest >= deep and whole >= least
-            # Many doors lead to the same way in the middle, and where none leads through, the longest
+            # Many doors share a way in the middle: where none leads through, the longest
             # way to it is no straight passage along the rim.
             alike = round(inner / (_AS_INNER * self._spacing))
             rated = (True, float(inner), 0.0) if through else (False, alike, float(whole))
