@@ -11,6 +11,8 @@ from mathutils.bvhtree import BVHTree
 
 # Enough for a small run to settle, and an end to one that does not.
 ITERATIONS = 400
+# Whether this Blender has the Grease Pencil that 4.3 made anew.
+NEW_STROKES = bpy.app.version >= (4, 3)
 
 
 def activate(thing: bpy.types.Object) -> bpy.types.Object:
@@ -68,6 +70,32 @@ def poly_curve(
     thing = bpy.data.objects.new(name, data)
     bpy.context.scene.collection.objects.link(thing)
     return thing
+
+
+def grease_pencil(name: str, strokes, cyclic: bool = False) -> bpy.types.Object:
+    """An object with one layer, whose strokes are on frame 1."""
+    blocks = getattr(bpy.data, "grease_pencils_v3", bpy.data.grease_pencils)
+    data = blocks.new(name)
+    thing = bpy.data.objects.new(name, data)
+    bpy.context.scene.collection.objects.link(thing)
+    add_strokes(data.layers.new("Lines"), strokes, cyclic, 1)
+    return thing
+
+
+def add_strokes(layer, strokes, cyclic: bool, frame: int) -> None:
+    made = layer.frames.new(frame)
+    if NEW_STROKES and len(strokes):
+        made.drawing.add_strokes([len(points) for points in strokes])
+    for number, points in enumerate(strokes):
+        if NEW_STROKES:
+            stroke = made.drawing.strokes[number]
+            stroke.cyclic = cyclic
+        else:
+            stroke = made.strokes.new()
+            stroke.points.add(len(points))
+            stroke.use_cyclic = cyclic
+        for point, place in zip(stroke.points, points, strict=True):
+            setattr(point, "position" if NEW_STROKES else "co", place)
 
 
 def fill(thing: bpy.types.Object, spacing: float = 0.0, **settings) -> bpy.types.Object:

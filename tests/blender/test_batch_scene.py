@@ -139,7 +139,7 @@ def test_alignment_and_terms_are_kept_with_the_result(scene, tmp_path, run_batch
     [
         (("--object", "Nobody"), "Nobody"),
         (("--object", "Ring"), "has no faces"),
-        (("--object", "Ball", "--seed-object", "Ball"), "not a curve"),
+        (("--object", "Ball", "--seed-object", "Ball"), "has faces; choose a curve"),
         (("--object", "Ball", "--seed-object", "Far"), "surface"),
         (("--object", "Ball", "--density-group", "Bottom"), "Bottom"),
         (("--object", "Ball", "--density-attribute", "depth"), "it has 'height'"),

@@ -158,7 +158,7 @@ def test_hidden_seeds_modifiers_and_edit_mode():
 
 
 def test_what_is_no_seed_is_refused():
-    with pytest.raises(ValueError, match="not a curve"):
+    with pytest.raises(ValueError, match="has faces; choose a curve"):
         curve_reader.strands_of_curve(cube(), depsgraph())
     with pytest.raises(ValueError, match="two or more points"):
         curve_reader.strands_of_curve(poly_curve("Seed", [[(0, 0, 0)]], False), depsgraph())

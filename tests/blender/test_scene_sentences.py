@@ -41,7 +41,7 @@ from meander.scene.density import pixels_of
 from meander.scene.errors import DataError
 from meander.scene.meshes import triangles_of, vertex_group_weights
 from meander.scene.points import strands_of_result
-from scenes import cube, fill, grid, mesh_object, poly_curve, refused
+from scenes import cube, fill, grease_pencil, grid, mesh_object, poly_curve, refused
 
 HERE = Path(__file__).parent
 sys.path.append(str(HERE.parent / "core"))
@@ -57,6 +57,7 @@ ELSEWHERE = {
     "is hidden by its animation": ("test_hidden_data.py", "hidden by its animation at frame"),
     "is hidden, so that Blender": ("test_hidden_data.py", "that Blender does not"),
     "renders otherwise than": ("test_rendered_surface.py", "renders otherwise"),
+    "has strokes that are Bezier": ("test_edges_and_strokes.py", "Bezier or NURBS curves"),
     "shows curves only, which": ("test_first_try.py", "shows curves only"),
     "is not a finite number at vertex \0 of": ("test_density_sources.py", "The UV map '"),
     "shows instances only": ("test_first_try.py", "Make Instances Real"),
@@ -159,6 +160,9 @@ def of_seeds(said: Said) -> None:
     empty = bpy.data.objects.new("Empty", bpy.data.curves.new("Empty", "CURVE"))
     bpy.context.scene.collection.objects.link(empty)
     said.by(lambda: curve_reader.strands_of_curve(empty, depsgraph()))
+    said.by(lambda: curve_reader.strands_of_curve(mesh_object("Bare", [], []), depsgraph()))
+    said.by(lambda: curve_reader.strands_of_curve(grease_pencil("Sketch", []), depsgraph()))
+    said.by(lambda: curve_reader.strands_of_curve(bpy.data.objects.new("No", None), depsgraph()))
     solid = poly_curve("Solid", [[(0, 0, 0), (1, 0, 0), (1, 1, 0)]], False)
     solid.modifiers.new("Screw", "SCREW")
     said.by(lambda: curve_reader.strands_of_curve(solid, depsgraph()))

@@ -122,7 +122,8 @@ def _add_files(parser: argparse.ArgumentParser) -> None:
     add(
         "--seed-object",
         metavar="NAME",
-        help="curve object in the .blend; its ends stay put if the surface's settings say so",
+        help="curve, text, Grease Pencil or mesh without faces in the .blend; its ends stay put if "
+        "the surface's settings say so",
     )
 
 

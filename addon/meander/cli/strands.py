@@ -34,7 +34,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         add(f"--{end}-vertex", type=index, metavar="N", help="the same: a vertex, counted from 0")
     add_flags(group, "strands")
     add("--guides", type=file_name, metavar="CURVE", help=".obj of strands that stay as drawn")
-    add("--guides-object", metavar="NAME", help="the same: a curve object in the .blend")
+    add("--guides-object", metavar="NAME", help="the same in the .blend, as for --seed-object")
     add("--leave-out-guides", action="store_true", help="write only what has grown")
 
 

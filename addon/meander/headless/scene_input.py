@@ -13,10 +13,9 @@ from ..cli import density, mirror, preparation, terms
 from ..cli.input import Input
 from ..cli.spacing import settled
 from ..cli.values import BadInput
-from ..model import strands
 from ..model.problem import Problem
 from ..scene.alignment import angle_source_of, directions_of
-from ..scene.curve_reader import point_numbers, strands_of_curve
+from ..scene.curve_reader import strands_of_curve
 from ..scene.density import choice_of, density_of
 from ..scene.errors import DataError
 from ..scene.evaluated import matrix_of
@@ -25,6 +24,7 @@ from ..scene.linked_settings import settings_of
 from ..scene.meshes import in_polygons as renumbered
 from ..scene.meshes import loose_edge_count, polygons_of, triangles_of
 from ..scene.preparation import surface_options
+from ..scene.strands import part_of
 from .saved_settings import saved_settings
 
 
@@ -83,13 +83,11 @@ def _read_scene(arguments: argparse.Namespace) -> Input:
         seed_object = _curve_object(arguments, "seed_object")
         given.fixed_ends = fixed_ends
         seed = strands_of_curve(seed_object, depsgraph, fixed_ends)
-        numbers = point_numbers(seed_object, seed)
-        given.parts.append(strands.Part(seed_object.name, seed, numbers=numbers))
+        given.parts.append(part_of(seed_object, seed))
     if arguments.guides_object is not None:
         guides_object = _curve_object(arguments, "guides_object")
-        guides = strands_of_curve(guides_object, depsgraph)
-        numbers = point_numbers(guides_object, guides)
-        given.parts.append(strands.Part(guides_object.name, guides, guide=True, numbers=numbers))
+        guides = strands_of_curve(guides_object, depsgraph, branches=True)
+        given.parts.append(part_of(guides_object, guides, guide=True))
     if bpy.app.autoexec_fail:  # known once the scene was evaluated
         given.warnings.append(_not_run(arguments))
     return given

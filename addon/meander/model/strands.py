@@ -28,6 +28,7 @@ class Part:
     first_spline: int = 0  # of these strands, among the splines of that place
     # (n,) of the points in their spline, as the user counts them; None: from 1, one by one
     numbers: NDArray[np.int64] | None = None
+    term: str = "spline"  # what a strand is called there
     drawn: bool = True  # else grown: a result's own strands, which lie on the surface already
 
 
@@ -149,21 +150,22 @@ def places_of(points: Sequence[int], parts: Sequence[Part]) -> str:
     return " and ".join(f"point {place[0]} of {_strand_name(*place[1:])}" for place in found)
 
 
-def _strand_name(spline: int, name: str) -> str:
-    return f"spline {spline} of '{name}'"
+def _strand_name(term: str, number: int, name: str) -> str:
+    return f"{term} {number} of '{name}'"
 
 
-def _place(point: int, parts: Sequence[Part]) -> tuple[int, int, str]:
-    """Number of a point in its spline, number of the spline in its object, and that one's name."""
+def _place(point: int, parts: Sequence[Part]) -> tuple[int, str, int, str]:
+    """Number of a point in its strand, what that is called, its number in its object, and that
+    one's name."""
     for part in parts:
         if point < len(part.seed.points):
             strand = int(np.searchsorted(part.seed.offsets, point, side="right")) - 1
             number = point - int(part.seed.offsets[strand]) + 1
             if part.numbers is not None:
                 number = int(part.numbers[point])
-            return number, part.first_spline + strand + 1, part.name
+            return number, part.term, part.first_spline + strand + 1, part.name
         point -= len(part.seed.points)
-    return point + 1, 1, "the outline"  # laid after what is drawn
+    return point + 1, "spline", 1, "the outline"  # laid after what is drawn
 
 
 def fit_warning(figures: Mapping[str, Any], parts: Sequence[Part]) -> str:

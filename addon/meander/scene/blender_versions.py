@@ -106,6 +106,48 @@ def shape_key_points(key: bpy.types.ShapeKey) -> Any:
     return key.points if hasattr(key, "points") and len(key.points) else key.data
 
 
+# The type of Grease Pencil objects, which 4.3 made anew.
+GREASE_PENCIL = "GREASEPENCIL" if bpy.app.version >= (4, 3) else "GPENCIL"
+
+
+def strokes_of_layer(layer: Any) -> list[tuple[np.ndarray, bool]] | None:
+    """Points (n, 3) in the space of layer_matrices(), and whether it is cyclic, for each stroke of
+    a Grease Pencil layer at the frame; None where one is no poly curve, as 4.3 and later have
+    them."""
+    if bpy.app.version < (4, 3):
+        frame = layer.active_frame
+        found = []
+        for stroke in frame.strokes if frame is not None else ():
+            points = np.empty(3 * len(stroke.points), dtype=np.float32)
+            stroke.points.foreach_get("co", points)
+            found.append((points.reshape(-1, 3), stroke.use_cyclic))
+        return found
+    frame = layer.current_frame()
+    drawing = frame.drawing if frame is not None else None
+    if drawing is None or not len(drawing.strokes):
+        return []
+    if any(stroke.curve_type != 1 for stroke in drawing.strokes):
+        return None
+    offsets = np.empty(len(drawing.strokes) + 1, dtype=np.int32)
+    drawing.curve_offsets.foreach_get("value", offsets)
+    points = np.empty(3 * offsets[-1], dtype=np.float32)
+    drawing.attributes["position"].data.foreach_get("vector", points)
+    cyclic = [stroke.cyclic for stroke in drawing.strokes]
+    return list(zip(np.split(points.reshape(-1, 3), offsets[1:-1]), cyclic, strict=True))
+
+
+def layer_matrices(layer: Any) -> tuple[np.ndarray, np.ndarray] | None:
+    """Of a Grease Pencil layer: the inverse (4, 4) of its parent's matrix when that was chosen, and
+    its own matrix (4, 4); None before 4.3, where evaluated strokes are in the object's space."""
+    if bpy.app.version < (4, 3):
+        return None
+    inverse, own = (
+        np.array([row[:] for row in matrix], dtype=np.float64)
+        for matrix in (layer.matrix_parent_inverse, layer.matrix_local)
+    )
+    return inverse, own
+
+
 def fcurves(owner: bpy.types.ID) -> list[bpy.types.FCurve]:
     """The animation curves of a data-block; 5.0 and later keep them in layers."""
     animation = owner.animation_data

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Curve objects, and the outlines of texts, as strands: seeds, strokes, guides and results."""
+"""Curve objects, outlines of texts, meshes of edges and Grease Pencil, as strands: seeds, strokes,
+guides and results."""
 
 from __future__ import annotations
 
@@ -10,13 +11,27 @@ from .. import core
 from ..model.geometry.chains import branching, chains_of
 from .errors import DataError
 from .evaluated import evaluated_copy, is_evaluated, matrix_of, mesh_of
+from .grease_pencil import is_grease_pencil, strokes_of
 from .look import shaping_modifiers
 from .transforms import to_world, world_matrix
 
+# What a strand is called in the object that it is of.
+_SPLINE, _STROKE, _CHAIN = "spline", "stroke", "chain"
+
 
 def has_strands(object: bpy.types.Object) -> bool:
-    """Whether an object can be read as strands. Cheap, for fields that choose one."""
-    return object.type in ("CURVE", "FONT")
+    """Whether an object can be read as strands: a curve, a text, Grease Pencil, or a mesh without
+    faces. Cheap, for fields that choose one."""
+    if object.type == "MESH":
+        return not len(object.data.polygons)
+    return object.type in ("CURVE", "FONT") or is_grease_pencil(object)
+
+
+def strand_term(object: bpy.types.Object) -> str:
+    """What a strand is called in the object that it is of, as users know it."""
+    if object.type == "MESH":
+        return _CHAIN
+    return _STROKE if is_grease_pencil(object) else _SPLINE
 
 
 def strands_of_curve(
@@ -24,23 +39,33 @@ def strands_of_curve(
     depsgraph: bpy.types.Depsgraph,
     fixed_ends: bool = False,
     of_data: bpy.types.Curve | None = None,
+    branches: bool = False,
 ) -> core.Seed:
-    """The strands of a curve object as a seed, in world units, in the order of its splines.
+    """The strands of an object that has_strands() as a seed, in world units, in its own order.
 
-    Bezier, NURBS and poly splines, open and cyclic, with modifiers, shape keys, parents and
-    constraints; bevel, extrude, fill and the look of a result are left out. Of a text the outlines
-    of its letters. Works in Edit Mode and for hidden objects.
+    Of a curve its Bezier, NURBS and poly splines, open and cyclic, with modifiers, shape keys,
+    parents and constraints; bevel, extrude, fill and the look of a result are left out. Of a text
+    the outlines of its letters, of a mesh the chains and loops of its edges with its modifiers, of
+    Grease Pencil the strokes that it shows. Works in Edit Mode and for hidden objects.
 
     fixed_ends   the first and last point of every open strand never move
     of_data      poly splines in the space of the object, to be read in place of its own
+    branches     edges may branch, and strands end there, as guides may
 
-    Raises DataError with one sentence for what is not a curve, has no segments, or branches.
+    Raises DataError with one sentence for what has no strands, has no segments, or branches.
     """
     if not has_strands(object):
-        raise DataError(f"'{object.name}' is not a curve; choose a curve object as the seed")
-    if object.mode == "EDIT":
+        what = "has faces" if object.type == "MESH" else "is not a curve"
+        raise DataError(
+            f"'{object.name}' {what}; choose a curve, a text, Grease Pencil or a mesh of edges "
+            "without faces"
+        )
+    if object.mode == "EDIT" and not is_grease_pencil(object):
         object.update_from_editmode()
-    if of_data is not None:
+    if is_grease_pencil(object):
+        points, offsets, closed = _put_together(strokes_of(object, depsgraph))
+        matrix = np.eye(4)
+    elif of_data is not None:
         points, offsets, closed = _poly_splines(of_data)
         matrix = matrix_of(object, depsgraph)
     elif _is_plain(object) and (
@@ -50,11 +75,9 @@ def strands_of_curve(
         matrix = matrix_of(object, depsgraph)
     else:
         points, edges, matrix = _evaluated_edges(object, depsgraph)
-        points, offsets, closed = _chains(points, edges, object.name)
+        points, offsets, closed = _chains(points, edges, object.name, branches)
     if not len(closed):
-        raise DataError(
-            f"'{object.name}' has no spline with two or more points; draw a curve to start from"
-        )
+        raise _nothing_in(object)
     fixed = ends_of(offsets, closed) if fixed_ends else None
     return core.Seed(
         points=np.ascontiguousarray(to_world(points, matrix)),
@@ -64,14 +87,31 @@ def strands_of_curve(
     )
 
 
+def _nothing_in(object: bpy.types.Object) -> DataError:
+    term = strand_term(object)
+    if term == _CHAIN:
+        return DataError(f"'{object.name}' has no edges; add some, or choose another seed")
+    if term == _STROKE:
+        return DataError(
+            f"'{object.name}' shows no stroke of two or more points at this frame; draw one, show "
+            "its layer, or go to a frame that has one"
+        )
+    return DataError(
+        f"'{object.name}' has no spline with two or more points; draw a curve to start from"
+    )
+
+
 def point_numbers(object: bpy.types.Object, seed: core.Seed) -> np.ndarray | None:
     """Which point of its spline each point of a curve's strands is, counted from 1: that control
     point which is nearest to it.
 
     seed   of strands_of_curve()
 
-    None where the strands have the points of the splines, and where modifiers make others of them.
+    None where the strands have the points of the splines, where modifiers make others of them, and
+    for what has no splines.
     """
+    if strand_term(object) != _SPLINE:
+        return None
     splines = [spline for spline in object.data.splines if _count(spline) > 1]
     if _is_plain(object) or len(splines) != len(seed.closed):
         return None
@@ -113,10 +153,24 @@ def _poly_splines(curve: bpy.types.Curve) -> tuple[np.ndarray, np.ndarray, np.nd
     return points[:, :3], offsets, closed
 
 
+def _put_together(
+    strokes: list[tuple[np.ndarray, bool]],
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    offsets = np.cumsum([0] + [len(points) for points, _closed in strokes])
+    points = np.vstack([np.empty((0, 3)), *(points for points, _closed in strokes)])
+    return points, offsets, np.array([closed for _points, closed in strokes], dtype=bool)
+
+
 def _evaluated_edges(
     object: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Points and edges of the evaluated curve without thickness, and its world matrix."""
+    """Points and edges of the evaluated object without thickness, and its world matrix."""
+    if object.type == "MESH":
+        if is_evaluated(object, depsgraph):
+            depsgraph.update()
+            return _edges_of(object, depsgraph, object.name)
+        with evaluated_copy(object, depsgraph, with_data=False) as (copy, own):
+            return _edges_of(copy, own, object.name)
     with evaluated_copy(object, depsgraph, with_data=True) as (copy, own):
         shaping = {modifier.name for modifier in shaping_modifiers(copy)}
         for modifier in [each for each in copy.modifiers if each.name not in shaping]:
@@ -129,24 +183,30 @@ def _evaluated_edges(
             curve.fill_mode = "NONE"
         curve.update_tag()
         own.update()
-        with mesh_of(copy, own) as (mesh, matrix):
-            if len(mesh.polygons):
-                raise DataError(
-                    f"The modifiers of '{object.name}' turn it into a surface; "
-                    "choose a curve without them as the seed"
-                )
-            points = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-            mesh.vertices.foreach_get("co", points)
-            edges = np.empty(2 * len(mesh.edges), dtype=np.int32)
-            mesh.edges.foreach_get("vertices", edges)
+        return _edges_of(copy, own, object.name)
+
+
+def _edges_of(
+    object: bpy.types.Object, depsgraph: bpy.types.Depsgraph, name: str
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    with mesh_of(object, depsgraph) as (mesh, matrix):
+        if len(mesh.polygons):
+            raise DataError(
+                f"The modifiers of '{name}' turn it into a surface; choose a curve without them as "
+                "the seed"
+            )
+        points = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+        mesh.vertices.foreach_get("co", points)
+        edges = np.empty(2 * len(mesh.edges), dtype=np.int32)
+        mesh.edges.foreach_get("vertices", edges)
     return points.reshape(-1, 3), edges.reshape(-1, 2), matrix
 
 
 def _chains(
-    points: np.ndarray, edges: np.ndarray, name: str
+    points: np.ndarray, edges: np.ndarray, name: str, branches: bool
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Orders the points along the chains that the edges form; lone points are left out."""
-    if len(branching(edges)):
+    if len(branching(edges)) and not branches:
         raise DataError(f"'{name}' branches; choose a curve of simple strands as the seed")
     # Blender numbers the points spline after spline: the least index tells the order.
     chains = chains_of(edges)

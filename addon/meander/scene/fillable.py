@@ -29,6 +29,9 @@ def has_faces(thing: bpy.types.Object | None) -> bool:
     """
     if thing is None or is_result(thing):
         return False
+    if thing.type == "MESH":
+        # In Edit Mode the data is what it was before; modifiers may make faces of edges.
+        return bool(thing.data.polygons) or bool(thing.modifiers) or thing.mode == "EDIT"
     if thing.type != "CURVE":
         return thing.type in _OF_FACES
     curve = thing.data
@@ -63,6 +66,8 @@ def why_not_this(thing: bpy.types.Object | None) -> str:
         )
     if is_result(thing):
         return f"The surface of '{thing.name}' is gone; choose a mesh to fill"
+    if thing is not None and thing.type == "MESH" and not has_faces(thing):
+        return f"'{thing.name}' has no faces; choose a mesh with faces as the surface"
     if thing is not None and thing.type == "CURVE":
         return f"'{thing.name}' has no faces; give it a bevel or an extrusion, or choose a mesh"
     return ""

@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 
 from ..model.geometry.chains import Chain, branching, chains_of
+from .curve_reader import has_strands
 from .curve_writer import new_curve_object
 from .errors import DataError
 from .evaluated import surface_mesh
@@ -39,10 +40,10 @@ def new_seed(
 def mesh_of_seed(
     curve: bpy.types.Object | None, scene: bpy.types.Scene
 ) -> bpy.types.Object | None:
-    """The mesh of a scene of which a curve is the seed, a guide or a direction; None where there is
-    none. Cheap, for panels: what was drawn on a mesh is its child.
+    """The mesh of a scene of which a curve, or what else has strands, is the seed, a guide or a
+    direction; None where there is none. Cheap, for panels: what was drawn on a mesh is its child.
     """
-    if curve is None or curve.type not in ("CURVE", "FONT") or surface_of(curve) is not None:
+    if curve is None or not has_strands(curve) or surface_of(curve) is not None:
         return None
     parent = curve.parent
     if parent is not None and scene in parent.users_scene and _starts_from(parent, curve):

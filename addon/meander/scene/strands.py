@@ -11,7 +11,7 @@ import numpy as np
 from .. import core
 from ..model import strands
 from ..model.toolpaths import bridges
-from .curve_reader import ends_of, has_strands, point_numbers, strands_of_curve
+from .curve_reader import ends_of, has_strands, point_numbers, strand_term, strands_of_curve
 from .errors import DataError
 from .fillable import is_result
 from .linked_settings import settings_of
@@ -50,7 +50,7 @@ def parts_of(
     if not is_result(active) or restart:
         if settings.seed is not None:
             seed = strands_of_curve(settings.seed, depsgraph, settings.fixed_ends)
-            parts = [_part_of(settings.seed, seed)]
+            parts = [part_of(settings.seed, seed)]
             return parts + guides, _materials_of([settings.seed, *guide_objects], parts + guides)
         parts = _stroke(settings) + guides
         return parts, _materials_of([None] * (len(parts) - len(guides)) + guide_objects, parts)
@@ -107,9 +107,9 @@ def _without_bridges(
     return seed, indices, line, count - 1
 
 
-def _part_of(curve_object: bpy.types.Object, seed: core.Seed, guide: bool = False) -> strands.Part:
-    numbers = point_numbers(curve_object, seed)
-    return strands.Part(curve_object.name, seed, guide, numbers=numbers)
+def part_of(curve_object: bpy.types.Object, seed: core.Seed, guide: bool = False) -> strands.Part:
+    numbers, term = point_numbers(curve_object, seed), strand_term(curve_object)
+    return strands.Part(curve_object.name, seed, guide, numbers=numbers, term=term)
 
 
 def check_on_surface(
@@ -160,7 +160,10 @@ def _drawn_guides(
                 "in it, or leave the field empty"
             )
         objects += [other for other in found if other != settings.seed]
-    parts = [_part_of(other, strands_of_curve(other, depsgraph), guide=True) for other in objects]
+    parts = [
+        part_of(other, strands_of_curve(other, depsgraph, branches=True), guide=True)
+        for other in objects
+    ]
     return parts, objects
 
 
@@ -170,6 +173,8 @@ def _drawn_guides(
 
 def _material_indices(curve_object: bpy.types.Object, count: int) -> list[int]:
     """Those of the splines that became strands, which have two points or more."""
+    if not isinstance(curve_object.data, bpy.types.Curve):
+        return [0] * count
     splines = [
         spline
         for spline in curve_object.data.splines
@@ -187,7 +192,8 @@ def _materials_of(
     indices: list[int] = []
     for curve_object, part in zip(objects, parts, strict=True):
         count = len(part.seed.closed)
-        if curve_object is None or not curve_object.material_slots:
+        of_splines = curve_object is not None and isinstance(curve_object.data, bpy.types.Curve)
+        if not of_splines or not curve_object.material_slots:
             indices += [0] * count
             continue
         first = len(slots)

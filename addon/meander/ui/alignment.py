@@ -5,15 +5,16 @@ import bpy
 from bpy.props import EnumProperty, PointerProperty, StringProperty
 
 from ..scene.attributes import attribute_names, color_names, vector_names
-from ..scene.linked_settings import settings_of
+from ..scene.curve_reader import has_strands
+from ..scene.linked_settings import owner_of, settings_of
 from ..scene.settings import surface_of
 from .declared import row
 from .registered import registration
 from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns
 
 
-def _is_curve(_settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
-    return object.type == "CURVE"
+def _is_curve(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
+    return has_strands(object) and object != owner_of(settings)
 
 
 class AlignmentSettings:
@@ -71,8 +72,8 @@ class AlignmentSettings:
         type=bpy.types.Object,
         name="Curves",
         description=(
-            "Curve object whose splines, on or near the surface, give the directions; parts of "
-            "the mesh without a spline have none"
+            "Curve, text, Grease Pencil or mesh without faces whose strands, on or near the "
+            "surface, give the directions; parts of the mesh without a strand have none"
         ),
         poll=_is_curve,
         options=set(),

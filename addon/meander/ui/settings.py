@@ -243,9 +243,9 @@ class MeanderSettings(
         type=bpy.types.Object,
         name="Seed",
         description=(
-            "Curve or text to start from, on or close to the surface; each spline or outline "
-            "becomes a strand and stays open or cyclic. Empty: a small loop on every part of the "
-            "mesh"
+            "Curve, text, Grease Pencil or mesh without faces to start from, on or close to the "
+            "surface; each spline, outline, stroke, or chain of edges becomes a strand and stays "
+            "open or cyclic. Empty: a small loop on every part of the mesh"
         ),
         poll=_is_curve,
         options=set(),

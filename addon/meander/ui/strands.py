@@ -51,8 +51,9 @@ class StrandSettings:
         type=bpy.types.Object,
         name="Guides",
         description=(
-            "Curve or text that stays as drawn, moved to the surface, while the others keep the "
-            "spacing from it. Its splines may cross and touch each other"
+            "Curve, text, Grease Pencil or mesh without faces that stays as drawn, moved to the "
+            "surface, while the others keep the spacing from it. Its strands may cross and touch "
+            "each other"
         ),
         poll=_is_another_curve,
         options=set(),
@@ -60,7 +61,10 @@ class StrandSettings:
     guide_collection: PointerProperty(
         type=bpy.types.Collection,
         name="Collection",
-        description="All curves and texts in this collection are guides as well",
+        description=(
+            "All curves, texts, Grease Pencil and meshes without faces in this collection are "
+            "guides as well"
+        ),
         options=set(),
     )
     keep_guides: BoolProperty(
