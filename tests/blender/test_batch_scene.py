@@ -211,3 +211,34 @@ def test_a_name_that_is_too_long_is_a_sentence(scene, tmp_path, run_batch, optio
     assert done.returncode == 2, done.stderr
     assert "choose another name" in done.stderr
     assert sorted(tmp_path.iterdir()) == before
+
+
+def test_what_a_file_says_of_its_surface_comes_along_into_a_blend(tmp_path, run_batch):
+    image = bpy.data.images.new("Steps", 4, 4)
+    image.pixels.foreach_set(np.repeat(np.linspace(0, 1, 4), 16).astype(np.float32))
+    image.filepath_raw, image.file_format = str(tmp_path / "steps.png"), "PNG"
+    image.save()
+    cells = range(9)
+    places = [(x / 8, y / 8) for y in cells for x in cells]
+    corners = [(x + 9 * y, x + 9 * y + 1, x + 9 * y + 10, x + 9 * y + 9)
+               for y in cells[:-1] for x in cells[:-1]]  # fmt: skip
+    lines = [f"v {x} {y} 0\nvt {x} {y}" for x, y in places]
+    lines += ["f " + " ".join(f"{k + 1}/{k + 1}" for k in face) for face in corners]
+    (tmp_path / "sheet.obj").write_text("\n".join([*lines, ""]))
+    output = tmp_path / "out.blend"
+    done = run_batch(
+        *("--input", tmp_path / "sheet.obj", "--density-image", tmp_path / "steps.png"),
+        *("--spacing", 0.2, "--iterations", 5, "--quiet", "--output", output),
+    )
+    assert done.returncode == 0, done.stderr
+    bpy.ops.wm.open_mainfile(filepath=str(output))
+    (curve,) = (thing for thing in bpy.data.objects if thing.type == "CURVE")
+    settings = curve.meander
+    assert (settings.density_source, settings.density_attribute) == ("ATTRIBUTE", "Density Values")
+    assert settings.use_density_range and (settings.density_low, settings.density_high) == (0, 1)
+    values = np.empty(81, dtype=np.float32)
+    settings.surface.data.attributes["Density Values"].data.foreach_get("value", values)
+    assert values[13] < 0.3 < values[67], "dark below, bright above"
+    curve.meander.iteration_limit = 5
+    bpy.context.view_layer.objects.active = curve
+    assert bpy.ops.meander.run() == {"FINISHED"}

@@ -363,8 +363,6 @@ def test_unknown_vertex_group_is_named(
         ("--guides-object", "Curve"),
         ("--direction-object", "Curve"),
         ("--density-group", "weights"),
-        ("--density-image", "map"),
-        ("--uv-map", "UVMap"),
         ("--mask-group", "weights"),
         ("--mask-material", "Gold"),
         ("--mask-attribute", "part"),

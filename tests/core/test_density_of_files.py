@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Spacings by the colours and numbers that OBJ and PLY files give to their vertices."""
+"""Spacings by the colours, numbers and UVs that OBJ, PLY and STL files have."""
 
 from __future__ import annotations
 
 import json
+import struct
 from pathlib import Path
 
 import geometry
@@ -13,6 +14,7 @@ from meander import batch
 from meander.cli import density
 from meander.model.density import Choice
 from meander.model.files import meshes
+from meander.model.picture.image import read_image
 from sentences import assert_sentence
 
 MESH = geometry.grid(8)
@@ -76,10 +78,15 @@ FILES = {
 }
 
 
+def _density(choice: Choice, path: Path) -> np.ndarray:
+    count = len(meshes.read(path).vertices)
+    return choice.density(density.values_of_file(choice, path, count, read_image))
+
+
 @pytest.mark.parametrize("name", FILES)
 def test_colours_are_a_density(tmp_path: Path, name: str) -> None:
     path = FILES[name](tmp_path)
-    found = density.of_file(Choice("COLOR", "rgb", factors=(1.0, 0.5)), path)
+    found = _density(Choice("COLOR", "rgb", factors=(1.0, 0.5)), path)
     assert len(found) == len(meshes.read(path).vertices)
     assert found == pytest.approx((1.0 - 0.5 * ACROSS) ** -2.0, rel=0.02)
 
@@ -87,7 +94,7 @@ def test_colours_are_a_density(tmp_path: Path, name: str) -> None:
 @pytest.mark.parametrize("binary", [False, True])
 def test_numbers_of_a_ply_are_a_density(tmp_path: Path, binary: bool) -> None:
     path = _ply(tmp_path / "a.ply", {"quality": ("float", 7 * ACROSS - 3)}, binary)
-    found = density.of_file(Choice("ATTRIBUTE", "quality", factors=(1.0, 0.5)), path)
+    found = _density(Choice("ATTRIBUTE", "quality", factors=(1.0, 0.5)), path)
     assert found == pytest.approx((1.0 - 0.5 * ACROSS) ** -2.0, rel=1e-5)
 
 
@@ -119,12 +126,193 @@ def test_the_curve_is_closer_where_it_is_bright(tmp_path: Path) -> None:
             "not a finite number at vertex 0",
         ),
         (FILES["obj"], ("--density-attribute", "q"), "a .obj file has none"),
+        (lambda f: _stl(f, [0] * 128), ("--density-color", "rgb"), "no colours of vertices or"),
+        (lambda f: _stl(f, [0] * 128), ("--density-attribute", "q"), "a .stl file has none"),
+        (lambda f: _stl(f, [0] * 128), ("--density-image", "image.png"), "needs UVs, which a .stl"),
+        (FILES["obj"], ("--density-image", "image.png"), "has no UVs; unwrap the mesh"),
+        (FILES["floats"], ("--tone-image", "image.png", "--pen", 0.01), "has no UVs; unwrap"),
+        (lambda f: _mapped(f), ("--density-image", "none.png"), "none.png does not exist"),
+        (lambda f: _mapped(f), ("--density-image", "folder"), "--density-image folder is a folder"),
+        (lambda f: _mapped(f), ("--density-image", "text.png"), "cannot be read as a picture"),
+        (
+            lambda f: _mapped(f),
+            ("--density-image", "image.png", "--uv-map", "Two"),
+            "--uv-map Two names one of a .blend; a .obj file has one at most",
+        ),
+        (lambda f: _mapped(f, "vt nan 0"), ("--density-image", "image.png"), "not finite numbers"),
+        (lambda f: _mapped(f, "vt a b"), ("--density-image", "image.png"), "UVs that are no numb"),
+        (lambda f: _mapped(f, corner="{0}/999"), ("--density-image", "image.png"), "is not there"),
+        (
+            lambda f: _mapped(f, more="f 1 2 3"),
+            ("--density-image", "image.png"),
+            "faces without UVs",
+        ),
+        (lambda f: _wedges(f, 4), ("--density-image", "image.png"), "faces without UVs"),
     ],
 )
 def test_what_is_missing_is_said(
-    tmp_path: Path, capsys: pytest.CaptureFixture, make, extra: tuple, words: str
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture,
+    monkeypatch: pytest.MonkeyPatch,
+    make,
+    extra: tuple,
+    words: str,
 ) -> None:
+    monkeypatch.chdir(tmp_path)
+    if "image.png" in extra:
+        _picture(tmp_path)
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "text.png").write_text("no picture")
     assert _run(make(tmp_path), *extra) == 2
     said = capsys.readouterr().err
     assert words in said
     assert_sentence(said.removeprefix("meander: ").strip())
+
+
+# ------------------------------------------------------------------------------------------------
+# Faces and their corners
+
+
+def _stl(folder: Path, attributes: list[int], head: bytes = b"") -> Path:
+    """A binary STL file of the same mesh, with an attribute for each triangle."""
+    corners = np.asarray(MESH.vertices, dtype="<f4")[np.asarray(MESH.faces)]
+    path = folder / "a.stl"
+    rows = [
+        bytes(12) + three.tobytes() + struct.pack("<H", attribute)
+        for three, attribute in zip(corners, attributes, strict=True)
+    ]
+    path.write_bytes(head.ljust(80, b"\0") + struct.pack("<I", len(rows)) + b"".join(rows))
+    return path
+
+
+def _middle(face: np.ndarray) -> float:
+    return float(ACROSS[np.asarray(face)].mean())
+
+
+# Red to the left of the middle, white to the right of it.
+LEFT = [_middle(face) < 0.5 for face in MESH.faces]
+RED = 0.2126  # its brightness
+
+
+@pytest.mark.parametrize("dialect", ["solidview", "magics", "magics, by the head"])
+def test_colours_of_the_triangles_of_an_stl(tmp_path: Path, dialect: str) -> None:
+    white = 0x7FFF
+    if dialect == "solidview":
+        head, values = b"", [0x8000 | (31 << 10) if left else 0x8000 | white for left in LEFT]
+    elif dialect == "magics":
+        head, values = b"COLOR=" + bytes(4), [31 if left else white for left in LEFT]
+    else:
+        head, values = b"COLOR=\xff\0\0\xff", [0x8000 if left else white for left in LEFT]
+    path = _stl(tmp_path, values, head)
+    choice = Choice("COLOR", "rgb")
+    places = meshes.read(path).vertices[:, 0]
+    found = density.values_of_file(choice, path, len(places), read_image)
+    assert found[places < 0.45] == pytest.approx(RED, abs=1e-9)
+    assert found[places > 0.55] == pytest.approx(1.0, abs=1e-9)
+
+
+def _faces_ply(folder: Path, columns: str, rows: list[str]) -> Path:
+    """A text PLY whose faces have more columns, with a vertex more that no face has."""
+    path = folder / "a.ply"
+    head = ["ply", "format ascii 1.0", f"element vertex {len(MESH.vertices) + 1}"]
+    head += [f"property double {axis}" for axis in "xyz"]
+    head += [f"element face {len(MESH.faces)}", "property list uchar int vertex_indices"]
+    places = ["{} {} {}".format(*place) for place in np.asarray(MESH.vertices).tolist()]
+    faces = [
+        "3 {} {} {} ".format(*face) + row
+        for face, row in zip(np.asarray(MESH.faces).tolist(), rows, strict=True)
+    ]
+    path.write_text("\n".join([*head, columns, "end_header", *places, "0.5 0.5 0", *faces, ""]))
+    return path
+
+
+def test_colours_and_numbers_of_faces_of_a_ply(tmp_path: Path) -> None:
+    channels = "\n".join(f"property uchar {name}" for name in ("red", "green", "blue"))
+    path = _faces_ply(tmp_path, channels, ["255 0 0" if left else "255 255 255" for left in LEFT])
+    count = len(MESH.vertices) + 1
+    found = density.values_of_file(Choice("COLOR", "rgb"), path, count, read_image)[:-1]
+    assert found[ACROSS < 0.45] == pytest.approx(RED, abs=1e-9)
+    assert found[ACROSS > 0.55] == pytest.approx(1.0, abs=1e-9)
+    path = _faces_ply(tmp_path, "property int part", ["3" if left else "5" for left in LEFT])
+    found = density.values_of_file(Choice("ATTRIBUTE", "part"), path, count, read_image)
+    assert found[:-1][ACROSS < 0.45] == pytest.approx(3.0)
+    assert found[:-1][ACROSS > 0.55] == pytest.approx(5.0)
+    # What no face has does not widen the range.
+    assert found.min() == 3.0
+
+
+def _picture(folder: Path) -> Path:
+    """An image that is dark at the bottom and bright at the top, in steps of sRGB."""
+    pillow = pytest.importorskip("PIL.Image")
+    rows = np.linspace(255, 0, 64).round().astype(np.uint8)
+    path = folder / "image.png"
+    pillow.fromarray(np.tile(rows[:, None], (1, 8))).save(path)
+    return path
+
+
+def _mapped(
+    folder: Path, first: str = "", corner: str = "{0}/{0}", more: str = "", turn: int = 0
+) -> Path:
+    """An OBJ whose UVs are its places: u along x, v along y, moved by whole squares."""
+    path = folder / "a.obj"
+    places = np.asarray(MESH.vertices).tolist()
+    lines = ["v {} {} {}".format(*place) for place in places]
+    uvs = [f"vt {place[0] + turn} {place[1] + turn}" for place in places]
+    lines += [first or uvs[0], *uvs[1:]]
+    for face in np.asarray(MESH.faces).tolist():
+        lines.append("f " + " ".join(corner.format(k + 1, k - len(places)) for k in face))
+    path.write_text("\n".join([*lines, more, ""]))
+    return path
+
+
+def _wedges(folder: Path, count: int = 6) -> Path:
+    places = np.asarray(MESH.vertices)
+    rows = [
+        " ".join(map(str, [count, *places[face][:, :2].ravel()[:count]]))
+        for face in np.asarray(MESH.faces)
+    ]
+    return _faces_ply(folder, "property list uchar float texcoord", rows)
+
+
+UP = np.asarray(MESH.vertices)[:, 1]
+MAPPED = {
+    "obj": lambda f: _mapped(f),
+    "obj, from the end": lambda f: _mapped(f, corner="{1}/{1}"),
+    "obj, with normals": lambda f: _mapped(f, corner="{0}/{0}/1"),
+    "obj, another square": lambda f: _mapped(f, turn=-3),
+    "ply, of corners": _wedges,
+    "ply, of vertices": lambda f: _ply(
+        f / "a.ply", {"s": ("float", ACROSS), "t": ("float", UP)}, binary=True
+    ),
+}
+
+
+@pytest.mark.parametrize("name", MAPPED)
+def test_an_image_lies_on_the_uvs_of_a_file(tmp_path: Path, name: str) -> None:
+    path, image = MAPPED[name](tmp_path), _picture(tmp_path)
+    count = len(meshes.read(path).vertices)
+    found = density.values_of_file(Choice("IMAGE", str(image)), path, count, read_image)
+    wanted = np.where(UP <= 0.04045, UP / 12.92, ((UP + 0.055) / 1.055) ** 2.4)
+    # At its edges it is repeated, and the two rows there are the brightest and the darkest.
+    inside = (UP > 0.05) & (UP < 0.95)
+    assert found[: len(UP)][inside] == pytest.approx(wanted[inside], abs=0.02)
+
+
+def test_the_curve_is_closer_where_an_image_is_bright(tmp_path: Path) -> None:
+    path, image = _mapped(tmp_path), _picture(tmp_path)
+    assert _run(path, "--density-image", image, "--spacing-factors", 1, 0.3) == 0
+    strands = json.loads(path.with_suffix(".json").read_text())["strands"]
+    points = np.concatenate([strand["points"] for strand in strands])
+    assert (points[:, 1] > 0.5).sum() > 1.3 * (points[:, 1] < 0.5).sum()
+
+
+@pytest.mark.parametrize("option", ["--output", "--report"])
+def test_the_image_is_not_overwritten(
+    tmp_path: Path, option: str, capsys: pytest.CaptureFixture
+) -> None:
+    path, image = _mapped(tmp_path), _picture(tmp_path)
+    victim = image.rename(tmp_path / "image.json")
+    before = victim.read_bytes()
+    assert _run(path, "--density-image", victim, option, victim) == 2
+    assert f"{option} would overwrite --density-image" in capsys.readouterr().err
+    assert victim.read_bytes() == before

@@ -65,6 +65,7 @@ TRIES = """
 --density-curvature mean --density-group Name
 --density-group Name
 --uv-map Name
+--uv-map Name --input shot.blend
 --density-smoothing 1 --density-group Name --input shot.blend
 --density-curvature mean --spacing-factors 9 1
 --density-curvature mean --density-ramp 0:1,1:2 --spacing-factors 1 2
@@ -289,6 +290,12 @@ ELSEWHERE = {
     "is not a finite number at vertex": "needs such a file: test_density_of_files.py",
     "has colours that are no numbers": "the same",
     "has no numbers '\0' of vertices": "the same",
+    "has no colours of vertices or": "the same",
+    "needs UVs, which a .stl": "the same",
+    "has no UVs; unwrap": "the same",
+    "has faces without UVs": "the same",
+    "has UVs that are": "the same",
+    "has a face with a UV that": "the same",
     "no spacing gives a length": "test_target_length.py",
     "which no machine can do": "needs pyembroidery",
     "All strands are shorter than a stitch": "the same: test_what_machines_take.py",

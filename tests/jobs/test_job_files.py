@@ -396,7 +396,7 @@ def test_a_header_lies_beside_the_job_file_and_is_not_overwritten(items, refused
     assert "mine.txt" in refused(SPACING + ITEM + HEADER)
 
 
-@pytest.mark.parametrize("key", ["header", "footer", "seed", "guides"])
+@pytest.mark.parametrize("key", ["header", "footer", "seed", "guides", "density-image"])
 def test_what_an_item_reads_is_a_part_of_what_it_is(items, job, key: str) -> None:
     text = SPACING + ITEM + HEADER.replace("header", key).replace("txt", "obj")
     path, folder = job.folder / "mine.obj", Folder(job.results)

@@ -138,6 +138,7 @@ def read_options() -> tuple[str, ...]:
 def files_read(arguments: argparse.Namespace) -> dict[str, Path]:
     """The files that a run is made from, by the name of the option."""
     given = {name: getattr(arguments, name) for name in read_options()}
+    given |= density.images_read(arguments)
     return {name: path for name, path in given.items() if path is not None}
 
 
@@ -166,9 +167,10 @@ def check_options(arguments: argparse.Namespace) -> None:
         kinds = ", ".join(INPUTS[:-1])
         raise BadInput(f"--input {arguments.input} is no {kinds} or {INPUTS[-1]} file")
     for name, path in files_read(arguments).items():
-        fault = _is(why_no_file, f"--{name}", path)
+        option = f"--{name.replace('_', '-')}"
+        fault = _is(why_no_file, option, path)
         if fault:
-            raise BadInput(f"--{name} {path} {fault}")
+            raise BadInput(f"{option} {path} {fault}")
     if kind != ".blend":
         for option in ("object", "seed_object", "guides_object"):
             if getattr(arguments, option) is not None:
@@ -207,7 +209,8 @@ def _refuse_blank(arguments: argparse.Namespace) -> None:
 
 
 def _check_outputs(arguments: argparse.Namespace) -> None:
-    taken = {f"--{name}": path for name, path in files_read(arguments).items()}
+    read = files_read(arguments).items()
+    taken = {f"--{name.replace('_', '-')}": path for name, path in read}
     outputs = {f"--{name}": getattr(arguments, name) for name in _WRITTEN}
     for option, path in outputs.items():
         if path is None:

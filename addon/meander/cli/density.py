@@ -6,6 +6,7 @@ tone; no bpy.
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -20,12 +21,15 @@ from ..model.density import (
     Choice,
     Stops,
     Values,
+    mean_at_vertices,
+    sample_repeated,
     srgb_luminance,
 )
 from ..model.files.meshes import SUFFIXES
-from ..model.files.vertex_values import COLORS, vertex_colors, vertex_numbers
+from ..model.files.vertex_values import COLORS, colors_of, numbers_of, uvs_of
 from ..model.files.whole import FileError
 from ..model.options.tone import OF_SURFACES
+from ..model.picture.image import Image
 from ..model.picture.tone import light_of
 from . import tone
 from .flags import add_flags
@@ -44,9 +48,12 @@ _SOURCES_OF_TONE = _SOURCES[:-1]
 # The kinds of --input that have such a source, where it is not .blend only.
 _OF_FILES = {
     "attribute": (".blend", ".ply"),
-    "color": (".blend", ".ply", ".obj"),
+    "color": (".blend", ".ply", ".obj", ".stl"),
+    "image": (".blend", ".ply", ".obj"),
     "curvature": (".blend", *SUFFIXES),
 }
+# The options whose value names the file of an image, where the mesh comes from none of Blender's.
+IMAGES = ("density_image", "tone_image")
 # Options that mean nothing without a source.
 _DETAILS = (
     "density_range",
@@ -114,15 +121,20 @@ def _add_sources(group: argparse._ArgumentGroup, what: str) -> None:
     add(
         f"--{what}-attribute",
         metavar="NAME",
-        help="attribute of numbers, of points, faces or corners; of a .ply, one of its vertices",
+        help="attribute of numbers, of points, faces or corners; of a .ply, one of its vertices or "
+        "faces",
     )
     add(
         f"--{what}-color",
         metavar="NAME",
-        help=f"color attribute: its brightness; of a .ply or .obj, where colours have no name, "
-        f"{COLORS}",
+        help=f"color attribute: its brightness; of a .ply, .obj or .stl, where colours have no "
+        f"name, {COLORS}",
     )
-    add(f"--{what}-image", metavar="NAME", help="image in the .blend: its brightness")
+    add(
+        f"--{what}-image",
+        metavar="NAME",
+        help="image in the .blend: its brightness; of a .ply or .obj, a file that lies on its UVs",
+    )
 
 
 def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
@@ -135,6 +147,8 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
     for option, _source, what in given:
         name = _named(arguments, option)
         plain = option.partition("-")[2]
+        if plain == "image" and kind == ".stl":
+            return f"--{option} needs UVs, which a .stl file has none of; give a .obj or a .ply"
         if kind not in _OF_FILES.get(plain, (".blend",)):
             return f"unknown {what} {name!r}: a {kind} file has none; give a .blend to --input"
         if plain == "color" and kind != ".blend" and name != COLORS:
@@ -151,6 +165,8 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
                 return f"--{detail} needs a source of tone; give one such as --tone-image"
         if arguments.negative:
             return "--negative needs a source of tone; give one such as --tone-image"
+    if arguments.uv_map is not None and kind != ".blend":
+        return f"--uv-map {arguments.uv_map} names one of a .blend; a {kind} file has one at most"
     if arguments.uv_map is not None and arguments.density_image is None:
         if (
             arguments.tone_image is None
@@ -271,22 +287,48 @@ def _as_tone(arguments: argparse.Namespace, saved: Choice) -> dict[str, Any]:
     return made
 
 
-def of_file(choice: Choice, path: Path) -> Values | None:
-    """The density per vertex of a mesh file from what it says of its vertices; None: this is no
-    source of that kind. Raises FileError."""
+def images_read(arguments: argparse.Namespace) -> dict[str, Path]:
+    """The files of images on a mesh that has a file of its own, by the name of the option."""
+    if arguments.input.suffix.lower() == ".blend":
+        return {}
+    given = {name: getattr(arguments, name) for name in IMAGES}
+    return {name: Path(image) for name, image in given.items() if image is not None}
+
+
+def values_of_file(
+    choice: Choice, path: Path, count: int, picture: Callable[[Path], Image]
+) -> Values | None:
+    """The values per vertex of a mesh file from what it says of its surface, as Choice.density()
+    takes them; None: this is no source of that kind.
+
+    count     of its vertices
+    picture   reads an image
+
+    Raises FileError.
+    """
     if choice.source == "COLOR":
-        values = srgb_luminance(vertex_colors(path))
+        found = colors_of(path)
+        values = srgb_luminance(found.values)
     elif choice.source == "ATTRIBUTE":
-        values = vertex_numbers(path, choice.name)
+        found = numbers_of(path, choice.name)
+        values = found.values
+    elif choice.source == "IMAGE":
+        found = uvs_of(path)
+        image = picture(Path(choice.name))
+        values = sample_repeated(image.colours[::-1], found.values % 1.0, srgb_luminance)
     else:
         return None
+    if found.vertices is not None:
+        lone = np.bincount(found.vertices, minlength=count) == 0
+        values = mean_at_vertices(values, found.vertices, count)
+        values[lone] = values[~lone].min()  # which nothing of the surface has
     bad = np.flatnonzero(~np.isfinite(values))
     if len(bad):
         raise FileError(
             f"'{choice.name}' is not a finite number at vertex {int(bad[0])} of {path}; correct "
             "its values"
         )
-    return choice.density(values)
+    return values
 
 
 def echo(arguments: argparse.Namespace, choice: Choice) -> dict[str, Any]:

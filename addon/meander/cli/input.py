@@ -23,6 +23,7 @@ class Input:
 
     problem: Problem
     density_choice: Choice = field(default_factory=Choice)
+    values: NDArray[np.float64] | None = None  # per vertex, of a mesh file: the density's source
     alignment: Alignment = field(default_factory=Alignment)
     repair: Repair = field(default_factory=Repair)
     mask: Mask = field(default_factory=Mask)

@@ -9,11 +9,10 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 from dataclasses import replace
-from pathlib import Path
 
 from .. import core
 from ..model.picture import line, strip
-from ..model.picture.image import Image, is_there, read_image
+from ..model.picture.image import Image
 from . import limits, standard, watching
 from .drawn_files import record_of, write_drawings
 from .place import Place
@@ -46,9 +45,9 @@ def _draw(arguments: argparse.Namespace, place: Place) -> None:
     if arguments.test_strip:
         image, wishes = strip.test_strip(), replace(wishes, tone=strip.TONE)
     else:
-        image = _cropped(_read(arguments.picture, place), arguments)
+        image = _cropped(place.picture(arguments.picture), arguments)
         if arguments.mask is not None:
-            mask = _read(arguments.mask, place)
+            mask = place.picture(arguments.mask)
 
     def say(text: str) -> None:
         place.say(f"meander: {text}")
@@ -63,12 +62,6 @@ def _draw(arguments: argparse.Namespace, place: Place) -> None:
     record = record_of(arguments, image, wishes, layers)
     for path in write_drawings(arguments, layers, record, say):
         say(f"wrote {path}")
-
-
-def _read(path: Path, place: Place) -> Image:
-    if place.host is not None and not is_there():
-        return place.host.read_picture(path)
-    return read_image(path)
 
 
 def _cropped(image: Image, arguments: argparse.Namespace) -> Image:

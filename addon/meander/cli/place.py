@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from ..model.picture.image import Image
+from ..model.picture.image import Image, is_there, read_image
 from ..model.toolpaths import bridges, toolpath
 from .exit_code import while_heard
 from .grown import Grown
@@ -100,6 +100,12 @@ class Place:
         """Prints what somebody should know, also where nothing else is to be printed."""
         line = f"meander: warning: {sentence}"
         while_heard(print, line, file=sys.stderr, flush=True)
+
+    def picture(self, path: Path) -> Image:
+        """The picture in a file, by Blender where Pillow is not installed. Raises FileError."""
+        if self.host is not None and not is_there():
+            return self.host.read_picture(path)
+        return read_image(path)
 
     def blender(self, what: object, reason: str = "") -> Host:
         """Blender. Raises BadInput where there is none.

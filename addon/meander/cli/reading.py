@@ -40,7 +40,7 @@ def read_input(arguments: argparse.Namespace, place: Place) -> Input:
     given.repair = preparation.repair_of(arguments)
     problem, options = given.problem, given.problem.options
     if arguments.input.suffix.lower() != ".blend":
-        _set_fields(given, arguments)
+        _set_fields(given, arguments, place)
     if given.mask.source == "NONE":
         problem.surface_options = given.repair.options(
             problem.vertices, arguments.spacing / 2, given.polygons
@@ -89,7 +89,7 @@ def _put_seed_together(given: Input, arguments: argparse.Namespace) -> None:
     given.problem.seed = strands.assembled(given.parts, arguments.fill_every_part, most)
 
 
-def _set_fields(given: Input, arguments: argparse.Namespace) -> None:
+def _set_fields(given: Input, arguments: argparse.Namespace, place: Place) -> None:
     """Density and directions of a mesh from a file of its own: what can be computed on it."""
     problem, radius = given.problem, arguments.spacing / 2
     given.alignment = terms.alignment_of(arguments)
@@ -97,7 +97,11 @@ def _set_fields(given: Input, arguments: argparse.Namespace) -> None:
     if given.density_choice.source == "CURVATURE":
         problem.density = curvature_density(given.density_choice, radius)
     else:
-        problem.density = density.of_file(given.density_choice, arguments.input)
+        given.values = density.values_of_file(
+            given.density_choice, arguments.input, len(problem.vertices), place.picture
+        )
+        if given.values is not None:
+            problem.density = given.density_choice.density(given.values)
     problem.directions = terms.directions_without_a_scene(
         given.alignment, problem.vertices, problem.faces, radius
     )

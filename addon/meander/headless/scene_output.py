@@ -15,6 +15,7 @@ from ..cli import flags
 from ..cli.grown import Grown, bridged
 from ..cli.input import Input
 from ..cli.values import BadInput
+from ..model.density import Choice
 from ..model.geometry import surface_crossings, thinning
 from ..model.geometry.simplification import result_points
 from ..model.options.input import light_of
@@ -173,7 +174,7 @@ def _store(
         if stiffness is not None:
             options = replace(options, bending_weight=stiffness)
         keep_shape(options, made_with)
-    store_choice(given.density_choice, made_with)
+    store_choice(_density_choice(given, surface_object), made_with)
     store_alignment(given.alignment, made_with)
     if arguments.guides_object is not None:
         made_with.guides = bpy.context.scene.objects.get(arguments.guides_object)
@@ -182,6 +183,23 @@ def _store(
         made_with.points_as = arguments.points.upper()
     store_repair(given.repair, made_with)
     store_mask(given.mask, made_with)
+
+
+def _density_choice(given: Input, surface_object: bpy.types.Object) -> Choice:
+    """Where the density comes from in the scene: what a mesh file says of its surface becomes an
+    attribute of the new one."""
+    choice, values = given.density_choice, given.values
+    if values is None:
+        return choice
+    attribute = surface_object.data.attributes.new("Density Values", "FLOAT", "POINT")
+    attribute.data.foreach_set("value", values.astype(np.float32))
+    value_range = choice.value_range
+    if value_range is None and not choice.is_tone:
+        ramp = choice.ramp(values)
+        value_range = (ramp.low, ramp.high)
+    return replace(
+        choice, source="ATTRIBUTE", name=attribute.name, uv_map="", value_range=value_range
+    )
 
 
 def _bake(arguments: argparse.Namespace, curve_object: bpy.types.Object) -> None:

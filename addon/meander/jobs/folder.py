@@ -80,14 +80,14 @@ class Folder:
 
         How many threads there are and where the results are put changes nothing. Raises JobError.
         """
-        plain = vars(item.options)
+        plain, files = vars(item.options), files_read(item.options)
         # What a file is called changes nothing; what is in it does.
         said = {
-            name: "a file" if isinstance(value, Path) else str(value)
+            name: "a file" if isinstance(value, Path) or name in files else str(value)
             for name, value in plain.items()
             if name not in _NOT_IN_KEY
         }
-        read = [self._digest(path) for path in files_read(item.options).values()]
+        read = [self._digest(path) for path in files.values()]
         suffixes = [path.suffix for path in item.places if path != item.log]
         whole = json.dumps([1, core.VERSION, said, read, suffixes], sort_keys=True)
         return hashlib.sha256(whole.encode("utf-8")).hexdigest()

@@ -225,7 +225,7 @@ def _item(
     where = f"{where} ({name})"
     chosen = {key: table[key] for key in table if key not in options.OWN_KEYS}
     chosen["input"] = str(path)
-    for key in options.read_keys():
+    for key in options.read_keys(path):
         if key in chosen:
             chosen[key] = str(_existing(where, key, job.path.parent, chosen[key]))
     for key in options.WRITTEN_KEYS:

@@ -6,9 +6,10 @@ from __future__ import annotations
 import argparse
 from collections.abc import Mapping
 from functools import cache
+from pathlib import Path
 from typing import Any
 
-from ..cli import blender_flags
+from ..cli import blender_flags, density
 from ..cli.arguments import check_options, parsed, parser, read_options
 from ..cli.flags import current_name
 from ..cli.place import Place
@@ -29,9 +30,11 @@ _REFUSED = {
 WRITTEN_KEYS = ("output", "cut", "maps")
 
 
-def read_keys() -> tuple[str, ...]:
+def read_keys(input_file: Path) -> tuple[str, ...]:
     """Paths of files that are read beside the input."""
-    return tuple(name.replace("_", "-") for name in read_options() if name != "input")
+    images = () if input_file.suffix.lower() == ".blend" else density.IMAGES
+    names = (*(name for name in read_options() if name != "input"), *images)
+    return tuple(name.replace("_", "-") for name in names)
 
 
 

@@ -74,19 +74,26 @@ def read_ply_mesh(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.uin
     return mesh.vertices, mesh.faces
 
 
-def read_vertex_numbers(path: Path) -> dict[str, NDArray]:
-    """The columns of the vertices of a PLY file, (n,) each, that are no lists, by name; in a text
-    float64 whatever their type.
+def read_tables(path: Path) -> dict[str, Table]:
+    """The rows of the vertices, "vertex", and of the faces, "face", of a PLY file, where it has
+    them; numbers of a text are float64 whatever their type.
 
     Raises FileError as read_ply() does.
     """
     data = read_plain(path)
     try:
         order, elements, begin = _header(data)
-        table = _tables(data, begin, order, elements).get("vertex")
+        return _tables(data, begin, order, elements)
     except Malformed as problem:
         raise FileError(f"{path} {problem}; export it again") from problem
-    return {} if table is None else {name: column for name, column in table.scalars.items()}
+
+
+def corners_of(path: Path, faces: Table) -> tuple[NDArray[np.int64], NDArray[np.uint32]]:
+    """How many corners every face of read_tables() has, and the vertices of all corners."""
+    try:
+        return _polygons(faces)
+    except Malformed as problem:
+        raise FileError(f"{path} {problem}; export it again") from problem
 
 
 def _header(data: bytes) -> tuple[str | None, list[Element], int]:

@@ -73,6 +73,30 @@ def is_stl(data: bytes) -> bool:
     return head.lstrip().startswith(b"solid") and b"facet" in head and b"\0" not in head
 
 
+def facet_colors(path: Path) -> tuple[NDArray[np.float64], NDArray[np.uint32]] | None:
+    """The colours of the triangles of a binary STL file, (m, 3) sRGB from 0 to 1, and the vertices
+    of read_stl() at their corners, (m, 3); None: it has none.
+
+    Two dialects have them, in 15 bits of the attribute: that of Magics, whose head names the colour
+    of triangles without one, and that of VisCAM and SolidView, where they are white.
+    """
+    data = read_plain(path)
+    count = int.from_bytes(data[80:_HEAD], "little")
+    if count == 0 or len(data) < _HEAD + _TRIANGLE.itemsize * count:
+        return None
+    facets = np.frombuffer(data, _TRIANGLE, count, _HEAD)
+    bits = facets["attribute"].astype(np.int64)
+    place = data[:80].find(b"COLOR=")
+    of_magics = 0 <= place <= 80 - 10
+    own = (bits & 0x8000 == 0) == of_magics
+    if not (own.any() or of_magics):
+        return None
+    colors = np.column_stack([bits & 31, bits >> 5 & 31, bits >> 10 & 31]) / 31.0
+    others = np.frombuffer(data, np.uint8, 3, place + 6) / 255.0 if of_magics else np.ones(3)
+    colors = np.where(own[:, None], colors if of_magics else colors[:, ::-1], others)
+    return colors, _joined(facets["corners"].reshape(-1, 3))[1].reshape(-1, 3)
+
+
 def _triangles(count: int) -> str:
     return "1 triangle" if count == 1 else f"{count:,} triangles"
 
