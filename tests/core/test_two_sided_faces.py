@@ -213,6 +213,31 @@ def a_leaf_with_two_sides_on_a_floor_with_one() -> tuple[Polygons, float]:
     return (vertices.astype(float), [[0, 2, 3, 1], [2, 4, 5, 3], [2, 6, 7, 3], [3, 7, 6, 2]]), 3.0
 
 
+@case
+def a_bent_leaf_whose_back_is_not_quite_in_its_place() -> tuple[Polygons, float]:
+    """As far behind as half a millionth of its size."""
+    vertices, polygons = hill()
+    size = float(np.linalg.norm(np.ptp(vertices, axis=0)))
+    behind = vertices - (0, 0, 5e-7 * size)
+    return beside((vertices, polygons), (behind, turned(polygons))), area(hill())
+
+
+@case
+def a_leaf_in_single_precision_far_from_the_origin() -> tuple[Polygons, float]:
+    """Its back was moved there in another way."""
+    vertices, polygons = hill()
+    way = np.array([5.0, -4.0, 3.0])
+    front = (vertices + way).astype(np.float32)
+    back = ((vertices * 0.1).astype(np.float32) + (way * 0.1).astype(np.float32)) * np.float32(10)
+    assert (front != back).any()
+    return beside((front, polygons), (back, turned(polygons))), area((front, polygons))
+
+
+@staying
+def a_sheet_of_three_millionths() -> tuple[Polygons, int]:
+    return box(size=(1, 1, 3e-6)), 1
+
+
 @staying
 def a_sheet_with_a_thickness() -> tuple[Polygons, int]:
     return box(size=(1, 1, 1e-5)), 1

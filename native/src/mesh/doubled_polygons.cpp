@@ -178,7 +178,7 @@ bool DoubleSearch::in_one_plane(uint32_t one, uint32_t other, const VertexPair& 
   const Vec3 n = (b - a).cross(c), m = (b - a).cross(d);
   // The plane of the larger one.
   const double distance = n.squaredNorm() > m.squaredNorm() ? n.normalized().dot(d) : m.normalized().dot(c);
-  return std::abs(distance) <= kInOnePlane * soup_.diagonal();
+  return std::abs(distance) <= kOnePlace * soup_.diagonal();
 }
 
 /// An edge is one of the outline where an odd number of the patch's faces is at it.
@@ -246,7 +246,7 @@ bool DoubleSearch::same_shape(const Outline& first, const Outline& other) {
   const Vec3 normal = normal_of(first, center);
   const auto in_plane = [&](uint32_t f) {
     return std::ranges::all_of(faces_[f], [&](uint32_t v) {
-      return std::abs(normal.dot(positions_[v] - center)) <= kInOnePlane * soup_.diagonal();
+      return std::abs(normal.dot(positions_[v] - center)) <= kOnePlace * soup_.diagonal();
     });
   };
   return std::ranges::all_of(faces_of(first.patch()), in_plane) &&

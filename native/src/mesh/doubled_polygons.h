@@ -14,9 +14,6 @@
 
 namespace meander {
 
-/// A share of the size of a mesh: vertices this near to a plane are in it, in single precision too.
-inline constexpr double kInOnePlane = 1e-6;
-
 /// Cells of the search for vertices in one place: of many times the distance, so that most queries look into one.
 inline constexpr double kDoublesCell = 16;
 
@@ -32,7 +29,7 @@ struct DoubledPolygons {
 /// A polygon is the faces that the caller says are one; so are faces in one plane that continue each other at edges
 /// where nothing else meets, and two on the corners of a quad, bent or not, that is there once more with the other
 /// diagonal. Two have the same outline where its edges lie between the same places, in either
-/// direction; vertices share a place within 1e-7 of the size of the soup, so that the two sides of whatever has a
+/// direction; vertices share a place within kOnePlace of the size of the soup, so that the two sides of whatever has a
 /// thickness never do. Polygons of faces that nobody has called one must also be such quads, or lie in one plane.
 ///
 /// Polygons side by side go or stay together. They stay where one of them lies between two surfaces that it closes, as

@@ -36,7 +36,7 @@ bool may_have_doubled_polygons(const Surface& surface, std::span<const uint32_t>
     if (p != low[c] && p != high[c]) many[c] = 1;
     const Vec3& base = surface.position(surface.face(largest[c])[0]);
     for (const uint32_t v : surface.face(f)) {
-      if (std::abs(surface.face_normal(largest[c]).dot(surface.position(v) - base)) > kInOnePlane) bent[c] = 1;
+      if (std::abs(surface.face_normal(largest[c]).dot(surface.position(v) - base)) > kOnePlace) bent[c] = 1;
     }
   }
   for (const HalfEdge e : surface.boundary()) bent[surface.component(e / 3)] = many[surface.component(e / 3)] = 1;
