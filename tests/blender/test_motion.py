@@ -211,6 +211,48 @@ def test_sticking_bake_is_one_curve_with_shape_keys(
     assert np.abs(seen[6] - seen[1]).max() > 0.5
 
 
+def test_a_sticking_bake_goes_by_way_of_subframes(
+    tube: bpy.types.Object, result: bpy.types.Object
+) -> None:
+    """A shape key that is driven in a curve: between two frames the points are where it leads."""
+    key = tube.data.shape_keys.key_blocks["Bent"]
+    driver = key.driver_add("value").driver
+    driver.type, driver.expression = "SCRIPTED", "((frame - 1) % 1) * 2"
+    bpy.context.scene.frame_set(1, subframe=0.0)
+    apart = {}
+    for subframes in (0, 1, 3):
+        settings = result.meander
+        settings.motion, settings.motion_subframes = "STICK", subframes
+        assert bpy.ops.meander.bake_motion(frame_start=1, frame_end=3) == {"FINISHED"}
+        (shown,) = settings.bake.objects
+        blocks = shown.data.shape_keys.key_blocks
+        assert len(blocks) == 2 * (subframes + 1) + 1
+        bpy.context.scene.frame_set(1, subframe=0.5)
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        mesh = shown.evaluated_get(depsgraph).to_mesh()
+        local = np.array([vertex.co[:] for vertex in mesh.vertices])
+        matrix = scenes.matrix_of(shown)
+        points = local @ matrix[:3, :3].T + matrix[:3, 3]
+        vertices, faces = scenes.world_triangles(tube)
+        tree = BVHTree.FromPolygons(vertices.tolist(), faces.tolist())
+        apart[subframes] = max(tree.find_nearest(point)[3] for point in points.tolist())
+        bpy.context.scene.frame_set(1, subframe=0.0)
+        assert bpy.ops.meander.clear_bake() == {"FINISHED"}
+        scenes.activate(result)
+    assert apart[0] > 0.1 and apart[1] < ON_SURFACE and apart[3] < ON_SURFACE
+
+
+def test_an_even_bake_goes_by_way_of_subframes_and_writes_whole_frames(
+    tube: bpy.types.Object, result: bpy.types.Object
+) -> None:
+    bpy.context.scene.frame_set(1, subframe=0.25)
+    result.meander.motion_steps, result.meander.motion_subframes = 1, 2
+    assert bpy.ops.meander.bake_motion(frame_start=1, frame_end=4) == {"FINISHED"}
+    assert bpy.context.scene.frame_current_final == 1.25
+    names = sorted(thing.name[-4:] for thing in result.meander.bake.objects)
+    assert names == ["0001", "0002", "0003", "0004"]
+
+
 @pytest.mark.parametrize("looks", [False, True])
 def test_growth_is_animated_in_one_object(tube: bpy.types.Object, looks: bool) -> None:
     scene = bpy.context.scene

@@ -42,7 +42,8 @@ def bake_motion(
     last: int,
     rounding: float | None = None,
 ) -> bpy.types.Collection:
-    """Writes the frames `first` to `last` of a result on its moving surface.
+    """Writes the frames `first` to `last` of a result on its moving surface, by way of so many
+    places between two frames as its settings say: what sticks has a shape there as well.
 
     rounding   how far turns may be rounded, in spacings; None: as far as in the look of the result
 
@@ -53,7 +54,7 @@ def bake_motion(
     """
     scene, settings = context.scene, result.meander
     rounding = drawn_line.tolerance_of(result) if rounding is None else rounding
-    present = scene.frame_current
+    present = scene.frame_current_final
     follow, settings.follow = settings.follow, False  # two followers would take turns
     frames = Frames(result, scene)
     context.view_layer.update()
@@ -63,24 +64,27 @@ def bake_motion(
             follower = follower_of(result, scene, depsgraph, rounding)
             sticks = settings.motion == "STICK"
             numbers, places, offsets = [], [], None
-            for frame in range(first, last + 1):
-                scene.frame_set(frame)
+            places_a_frame = settings.motion_subframes + 1
+            for place in range((last - first) * places_a_frame + 1):
+                frame, part = divmod(place, places_a_frame)
+                frame, subframe = first + frame, part / places_a_frame
+                scene.frame_set(frame, subframe=subframe)
                 depsgraph = context.evaluated_depsgraph_get()
                 vertices, faces = triangles_of(settings.surface, depsgraph)
                 matrix = matrix_of(settings.surface, depsgraph)
                 curve = follower.moved(vertices, faces)
                 if sticks:
-                    numbers.append(frame)
+                    numbers.append(frame + subframe)
                     places.append(to_local(curve.positions, matrix))
                     offsets = curve.offsets
-                else:
+                elif part == 0:
                     frames.add(frame, curve, matrix, follower.factors)
-                show((frame - first + 1) / (last - first + 1))
+                show((frame + subframe - first + 1) / (last - first + 1))
             if sticks:
                 frames.add_sticking(numbers, places, offsets)
     finally:
         settings.follow = follow
-        scene.frame_set(present)
+        scene.frame_set(int(present // 1), subframe=present % 1)
     return frames.collection
 
 

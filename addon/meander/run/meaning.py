@@ -29,6 +29,7 @@ _LOOKS = frozenset(
         "bridge_parts",
         "motion",
         "motion_steps",
+        "motion_subframes",
         "threads",
         "live",
         *(option.setting for option in in_panel("Make")),

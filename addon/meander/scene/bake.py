@@ -95,7 +95,7 @@ class Frames:
         return shown
 
     def add_sticking(
-        self, frames: list[int], points: list[np.ndarray], offsets: np.ndarray
+        self, frames: list[float], points: list[np.ndarray], offsets: np.ndarray
     ) -> bpy.types.Object:
         """One curve whose points go from place to place, as shape keys; points in its own space,
         as many as the result has, or the line that its look draws."""
@@ -110,7 +110,8 @@ class Frames:
         shown = self._new("Sticking", curve)
         copy_look(self._result, shown)
         for frame, places in zip(frames, points, strict=True):
-            key = shown.shape_key_add(name=f"{frame:04d}", from_mix=False)
+            name = f"{frame:04.0f}" if frame == int(frame) else f"{frame:08.3f}"
+            key = shown.shape_key_add(name=name, from_mix=False)
             key.interpolation = "KEY_LINEAR"
             shape_key_points(key).foreach_set("co", places.astype(np.float32).ravel())
         keys = curve.shape_keys
@@ -220,21 +221,24 @@ def on_output() -> None:
 def frames_of(
     result: bpy.types.Object, context: bpy.types.Context, first: int, last: int
 ) -> list[tuple[float, list[toolpath.Strand]]]:
-    """The baked frames of a result from one to another, each with its strands; none where nothing
-    is baked. Raises DataError."""
-    scene = context.scene
-    bake, present = result.meander.bake, scene.frame_current
+    """The baked frames of a result from one to another, each with its strands, and what sticks in
+    the places between them that were baked; none where nothing is baked. Raises DataError."""
+    scene, settings = context.scene, result.meander
+    bake, present = settings.bake, scene.frame_current
+    places_a_frame = settings.motion_subframes + 1 if settings.motion == "STICK" else 1
     if bake is None:
         return []
     frames = []
     try:
-        for frame in range(first, last + 1):
-            scene.frame_set(frame)
+        for place in range((last - first) * places_a_frame + 1):
+            frame, part = divmod(place, places_a_frame)
+            frame, subframe = first + frame, part / places_a_frame
+            scene.frame_set(frame, subframe=subframe)
             depsgraph = context.evaluated_depsgraph_get()
             # The keys of an object's visibility reach the object with the frame.
             for shown in (each for each in bake.objects if not each.hide_render):
                 frames.append(
-                    (float(frame), point_attributes.strands_of_frame(result, shown, depsgraph))
+                    (frame + subframe, point_attributes.strands_of_frame(result, shown, depsgraph))
                 )
     finally:
         scene.frame_set(present)

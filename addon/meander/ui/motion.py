@@ -202,6 +202,7 @@ class MEANDER_PT_motion(SubPanel, bpy.types.Panel):
         row = layout.row()
         row.active = settings.motion == "EVEN"
         row.prop(settings, "motion_steps")
+        layout.prop(settings, "motion_subframes")
         switch(layout, settings, "follow")
         problem = motion.problem_of(result) if settings.follow else None
         if problem:

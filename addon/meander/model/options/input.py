@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The rows of the table of options that are about the surface, its fields and what it does."""
+"""The rows of the table of options that are about the surface and its fields."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from ..geometry.simplification import DEFAULT_SHARE, GREATEST_SHARE, Light
 from .option import Flag, Option, Values
 
 _DENSITY, _DIRECTION, _STRANDS = "Density", "Direction", "Seed and Strands"
-_REGION, _REPAIR, _MOTION = "Region", "Mesh Repair", "Motion"
+_REGION, _REPAIR = "Region", "Mesh Repair"
 _GUIDANCE, _MAKE = "Guidance", "Make"
 _TERMS, _PART, _REPAIRS = "terms of the energy", "part to fill", "mesh repair"
 
@@ -283,48 +283,6 @@ ROWS: tuple[Option, ...] = (
             "edges with more than two faces become boundaries of each; else faces that continue "
             "each other stay joined",
             _REPAIRS,
-        ),
-    ),
-    Option(
-        "motion",
-        "Motion",
-        "What happens to the curve when the surface changes its shape",
-        _MOTION,
-        kind=str,
-        default="even",
-        choices=(
-            ("even", "Keep Even", "The flow continues, so that strands keep the spacing"),
-            ("stick", "Stick", "Points stay on their faces, as a texture would"),
-        ),
-        flag=Flag(
-            "--motion",
-            "baked frames keep the spacing, or their points stay on their faces",
-            "motion",
-            entry="motion",
-            default="even",
-        ),
-    ),
-    Option(
-        "motion_steps",
-        "Steps",
-        "Iterations per frame; more of them keep the spacing under faster motion",
-        _MOTION,
-        low="fast, the spacing lags behind the motion",
-        high="even in fast motion, slower frames",
-        kind=int,
-        default=3,
-        least=1,
-        greatest=1000,
-        soft_greatest=20,
-        flag=Flag(
-            "--motion-steps",
-            "iterations for each frame; default: 3",
-            "motion",
-            "N",
-            least=1,
-            greatest=1000,
-            entry="motion_steps",
-            default=3,
         ),
     ),
     Option(

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from .flow import ROWS as FLOW_ROWS
 from .input import ROWS as INPUT_ROWS
+from .motion import MOTION_ROWS
 from .option import Option
 from .tone import ROWS as TONE_ROWS
 
-TABLE: tuple[Option, ...] = FLOW_ROWS + INPUT_ROWS + TONE_ROWS
+TABLE: tuple[Option, ...] = FLOW_ROWS + INPUT_ROWS + MOTION_ROWS + TONE_ROWS
 
 BY_SETTING: dict[str, Option] = {option.setting: option for option in TABLE}
 
