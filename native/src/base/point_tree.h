@@ -27,7 +27,7 @@ class PointTree {
  public:
   /// `poll` counts every coordinate that is looked at while the tree is made, some nanoseconds each.
   explicit PointTree(std::vector<Eigen::Vector3d> points, const CancelToken& poll = {})
-      : cloud_{{std::move(points)}, poll}, index_(3, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(8)) {
+      : cloud_{{std::move(points)}, poll}, index_(3, cloud_, {8, kMadeLater}) {
     if (!cloud_.points.empty()) index_.buildIndex();
     cloud_.poll = {};
   }
@@ -128,6 +128,9 @@ class PointTree {
       return true;
     }
   };
+
+  /// Where the constructor makes the tree, buildIndex() makes it once more.
+  static constexpr auto kMadeLater = nanoflann::KDTreeSingleIndexAdaptorFlags::SkipInitialBuildIndex;
 
   AskingCloud cloud_;
   Index index_;
