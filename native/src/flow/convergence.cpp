@@ -134,15 +134,15 @@ bool Convergence::has_settled(const Surface& surface, const Curve& curve, const 
                               double change, ThreadPool& pool) {
   const size_t now = lengths_.size();
   if (picture_ && now - picture_->iteration < kSettledWindow) return false;
-  Picture present{now, {}, {}, {}};
-  present.nodes.reserve(curve.size());
-  present.next.reserve(curve.size());
-  present.previous.reserve(curve.size());
-  for (uint32_t i = 0; i < curve.size(); ++i) {
-    present.nodes.push_back(position(surface, curve.nodes[i]));
-    present.next.push_back(curve.next(i));
-    present.previous.push_back(curve.previous(i));
-  }
+  const size_t count = curve.size();
+  Picture present{now, std::vector<Vec3>(count), std::vector<uint32_t>(count), std::vector<uint32_t>(count)};
+  pool.for_blocks(count, kNodeGrain, [&](size_t, size_t begin, size_t end) {
+    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
+      present.nodes[i] = position(surface, curve.nodes[i]);
+      present.next[i] = curve.next(i);
+      present.previous[i] = curve.previous(i);
+    }
+  });
   const bool settled = picture_ && change < kSettledLength &&
                        mean_distance(curve, present.nodes, metric, *picture_, pool) < kSettledDistance;
   picture_ = std::move(present);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "base/point_tree.h"
@@ -22,16 +23,19 @@ constexpr uint32_t kPlaces = 256;
 class FarPlaces {
  public:
   FarPlaces(const Domain& domain, const Curve& curve, ThreadPool& pool)
-      : domain_(domain), s_(*domain.surface), tree_(positions(s_, curve), pool.poll(kPlaces)) {
-    components_.reserve(curve.size());
-    for (const SurfacePoint& p : curve.nodes) {
-      components_.push_back(s_.component(p.face));
-      if (domain.patches) patches_.push_back(domain.patches->patch_of(s_, p));
-    }
+      : domain_(domain), s_(*domain.surface), tree_(positions(s_, curve, pool), pool.poll(kPlaces)),
+        components_(curve.size()), patches_(domain.patches ? curve.size() : 0) {
+    pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
+      for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
+        const SurfacePoint& p = curve.nodes[i];
+        components_[i] = s_.component(p.face);
+        if (domain.patches) patches_[i] = domain.patches->patch_of(s_, p);
+      }
+    });
   }
 
-  /// The area of the part of a triangle in the plane of its face that is far.
-  double area_in(uint32_t face, const std::array<Vec2, 3>& corners, CancelToken& poll) {
+  /// The area of the part of a triangle in the plane of its face that is far. Any number of threads may ask.
+  double area_in(uint32_t face, const std::array<Vec2, 3>& corners, CancelToken& poll) const {
     poll();
     const Vec2 middle = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
     double reach = 0;
@@ -54,10 +58,11 @@ class FarPlaces {
   }
 
  private:
-  static std::vector<Vec3> positions(const Surface& s, const Curve& curve) {
-    std::vector<Vec3> positions;
-    positions.reserve(curve.size());
-    for (const SurfacePoint& p : curve.nodes) positions.push_back(position(s, p));
+  static std::vector<Vec3> positions(const Surface& s, const Curve& curve, ThreadPool& pool) {
+    std::vector<Vec3> positions(curve.size());
+    pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
+      for (auto i = static_cast<uint32_t>(begin); i < end; ++i) positions[i] = position(s, curve.nodes[i]);
+    });
     return positions;
   }
   static double length(const std::array<Vec2, 3>& corners, uint32_t k) {
@@ -65,14 +70,15 @@ class FarPlaces {
   }
 
   /// Whether a node is nearer than `distance`, and not on another sheet.
-  bool any_nearer(const SurfacePoint& p, double distance) {
+  bool any_nearer(const SurfacePoint& p, double distance) const {
     const Vec3 x = position(s_, p);
     const auto nearest = tree_.nearest(x, distance * distance);
     if (!nearest || !domain_.patches) return nearest.has_value();
     const uint32_t patch = domain_.patches->patch_of(s_, p), component = s_.component(p.face);
     if (is_seen(component, patch, nearest->index)) return true;
-    tree_.within(x, distance * distance, found_);
-    return std::ranges::any_of(found_, [&](uint32_t node) { return is_seen(component, patch, node); });
+    std::vector<uint32_t> found;
+    tree_.within(x, distance * distance, found);
+    return std::ranges::any_of(found, [&](uint32_t node) { return is_seen(component, patch, node); });
   }
   bool is_seen(uint32_t component, uint32_t patch, uint32_t node) const {
     return components_[node] == component && !domain_.patches->hidden(patch, patches_[node]) &&
@@ -83,20 +89,22 @@ class FarPlaces {
   const Surface& s_;
   PointTree tree_;
   std::vector<uint32_t> components_, patches_;  // per node
-  std::vector<uint32_t> found_;
 };
 
 }  // namespace
 
 double far_share(const Domain& domain, const Curve& curve, ThreadPool& pool) {
   const Surface& s = *domain.surface;
-  FarPlaces places(domain, curve, pool);
-  CancelToken poll = pool.poll(kPlaces);
-  double area = 0;
-  for (uint32_t f = 0; f < s.face_count(); ++f) {
-    area += places.area_in(f, {s.corner(f, 0), s.corner(f, 1), s.corner(f, 2)}, poll);
-  }
-  return area / s.area();
+  const FarPlaces places(domain, curve, pool);
+  std::vector<double> areas(s.face_count());
+  constexpr size_t kFaces = 16;
+  pool.for_blocks(s.face_count(), kFaces, [&](size_t, size_t begin, size_t end) {
+    CancelToken poll = pool.poll(kPlaces);
+    for (auto f = static_cast<uint32_t>(begin); f < end; ++f) {
+      areas[f] = places.area_in(f, {s.corner(f, 0), s.corner(f, 1), s.corner(f, 2)}, poll);
+    }
+  });
+  return std::accumulate(areas.begin(), areas.end(), 0.0) / s.area();
 }
 
 }  // namespace meander
