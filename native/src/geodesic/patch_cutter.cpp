@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "base/clipped_triangle.h"
 #include "base/eigen.h"
@@ -48,6 +49,7 @@ void SurfacePatches::Cutter::cut(ThreadPool& pool) {
   join_slivers(sets);
   poll.now();
   number(sets);
+  list_beside(pool);
   poll.now();
   add_up();
   poll.now();
@@ -100,18 +102,22 @@ void SurfacePatches::Cutter::lay_out_cells(ThreadPool& pool) {
     }
   });
   patches_.patch_of_face_.resize(faces);
-  cells_.reserve(faces);
+  size_t cells = 0;
   for (uint32_t f = 0; f < faces; ++f) {
-    if (large[f]) {
-      lay_grid(f);
-    } else {
-      patches_.patch_of_face_[f] = static_cast<uint32_t>(cells_.size());
-      cells_.emplace_back();
-    }
+    const auto first = static_cast<uint32_t>(cells);
+    patches_.patch_of_face_[f] = large[f] ? kGridded | static_cast<uint32_t>(patches_.grids_.size()) : first;
+    if (large[f]) patches_.grids_.push_back(grid_of(f, first));
+    cells += large[f] ? size_t{patches_.grids_.back().columns} * patches_.grids_.back().rows : 1;
   }
-  pool.for_blocks(faces, kAtATime, [&](size_t, size_t begin, size_t end) {
+  cells_.resize(cells);
+  // A face may be as large as the surface.
+  constexpr size_t kFaces = 16;
+  pool.for_blocks(faces, kFaces, [&](size_t, size_t begin, size_t end) {
     for (auto f = static_cast<uint32_t>(begin); f < end; ++f) {
-      if (large[f]) continue;
+      if (large[f]) {
+        lay_grid(f);
+        continue;
+      }
       const uint32_t level = level_at(f);
       const Triangle& t = s_.face(f);
       const Vec3 middle = (s_.position(t[0]) + s_.position(t[1]) + s_.position(t[2])) / 3;
@@ -120,25 +126,32 @@ void SurfacePatches::Cutter::lay_out_cells(ThreadPool& pool) {
   });
 }
 
-void SurfacePatches::Cutter::lay_grid(uint32_t f) {
+/// Of a face larger than a patch; `first` of the cells.
+SurfacePatches::Grid SurfacePatches::Cutter::grid_of(uint32_t f, uint32_t first) const {
   const auto [longest, squared] = longest_side(f);
-  const uint32_t level = level_at(f);
-  const double length = std::sqrt(squared), size = size_at(level);
+  const double length = std::sqrt(squared), size = size_at(level_at(f));
   const Vec2 origin = s_.corner(f, longest), axis = unit(s_.along(3 * f + longest));
   const Vec2 apex = conj(axis) * (s_.corner(f, prev_corner(longest)) - origin);
   const auto count = [&](double extent) { return std::max(1u, static_cast<uint32_t>(std::ceil(extent / size))); };
-  const Grid grid{static_cast<uint32_t>(cells_.size()), count(length), count(apex.y), origin, (1 / size) * axis};
-  patches_.patch_of_face_[f] = kGridded | static_cast<uint32_t>(patches_.grids_.size());
-  patches_.grids_.push_back(grid);
+  return {first, count(length), count(apex.y), origin, (1 / size) * axis};
+}
+
+void SurfacePatches::Cutter::lay_grid(uint32_t f) {
+  const Grid& grid = patches_.grids_[patches_.patch_of_face_[f] & ~kGridded];
+  const auto [longest, squared] = longest_side(f);
+  const uint32_t level = level_at(f);
+  const double length = std::sqrt(squared), size = size_at(level);
+  const Vec2 origin = grid.origin, axis = unit(s_.along(3 * f + longest));
+  const Vec2 apex = conj(axis) * (s_.corner(f, prev_corner(longest)) - origin);
+  Cell* cell = cells_.data() + grid.first;
   for (uint32_t row = 0; row < grid.rows; ++row) {
-    for (uint32_t column = 0; column < grid.columns; ++column) {
+    for (uint32_t column = 0; column < grid.columns; ++column, ++cell) {
       // A little more than the cell, as points that rounding moves are in one that is not empty.
       const double grain = 1e-6 * size, x = column * size, y = row * size;
       const std::array<Vec2, 3> face{Vec2{0, 0}, Vec2{length, 0}, apex};
       const ClippedTriangle part = clip_triangle(face, {x - grain, y - grain}, {x + size + grain, y + size + grain});
       const Vec3 middle = s_.position(s_.face(f)[0]) + s_.to_space(f, origin + axis * part.middle);
-      cells_.push_back({voxel(middle, size, level), middle, f,
-                        part.empty ? 0 : std::max(part.area, 1e-3 * size * size)});
+      *cell = {voxel(middle, size, level), middle, f, part.empty ? 0 : std::max(part.area, 1e-3 * size * size)};
     }
   }
 }
@@ -149,7 +162,7 @@ void SurfacePatches::Cutter::meet(DisjointSets& sets, uint32_t a, uint32_t b) {
   if (cells_[a].voxel == cells_[b].voxel) {
     sets.join(a, b);
   } else {
-    beside.push_back({a, b});
+    beside_.push_back({a, b});
   }
 }
 
@@ -186,7 +199,7 @@ void SurfacePatches::Cutter::join_across_edges(DisjointSets& sets, ThreadPool& p
   });
   for (const Seams& each : seams) {
     for (const auto& [a, b] : each.joined) sets.join(a, b);
-    beside.insert(beside.end(), each.beside.begin(), each.beside.end());
+    beside_.insert(beside_.end(), each.beside.begin(), each.beside.end());
     crease_cells_.insert(crease_cells_.end(), each.crease.begin(), each.crease.end());
     for (const HalfEdge e : each.crease_edges) sample_crease(e);
   }
@@ -201,9 +214,10 @@ void SurfacePatches::Cutter::look_across(HalfEdge e, Seams& seams) const {
   if (crease != Crease::kFlat) seams.crease_edges.push_back(e);
   const auto note = [&](uint32_t here, uint32_t there) {
     if (crease != Crease::kFlat) seams.crease.push_back({here, crease});
-    if (twin != kNone && here != there) {
-      (cells_[here].voxel == cells_[there].voxel ? seams.joined : seams.beside).push_back({here, there});
-    }
+    if (twin == kNone || here == there) return;
+    auto& list = cells_[here].voxel == cells_[there].voxel ? seams.joined : seams.beside;
+    const std::array<uint32_t, 2> pair{here, there};
+    if (list.empty() || list.back() != pair) list.push_back(pair);
   };
   if (!gridded(f) && !gridded(g)) return note(patches_.patch_of_face_[f], patches_.patch_of_face_[g]);
   // Along the edge in steps shorter than cells.
@@ -233,7 +247,7 @@ void SurfacePatches::Cutter::join_slivers(DisjointSets& sets) {
     areas[sets.find(cell)] += cells_[cell].area;
     boxes[sets.find(cell)].extend(cells_[cell].middle);
   }
-  for (const auto& [a, b] : beside) {
+  for (const auto& [a, b] : beside_) {
     const uint32_t p = sets.find(a), q = sets.find(b);
     const double size = size_at(level_at(cells_[a].face)), least = std::min(areas[p], areas[q]);
     const double both = areas[p] + areas[q];
@@ -255,19 +269,48 @@ void SurfacePatches::Cutter::number(DisjointSets& sets) {
     if (n == kNone) n = count++;
     patch[cell] = n;
   }
-  for (auto& [a, b] : beside) {
-    a = patch[a];
-    b = patch[b];
-    if (a > b) std::swap(a, b);
-  }
-  std::ranges::sort(beside);
-  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
-  std::erase_if(beside, [](const auto& pair) { return pair[0] == pair[1]; });
   for (uint32_t& known : patches_.patch_of_face_) {
     if ((known & kGridded) == 0) known = patch[known];
   }
   patches_.traits_.assign(count, {std::numeric_limits<float>::max(), std::numeric_limits<float>::max()});
   patches_.patch_of_cell_ = std::move(patch);
+}
+
+/// The patches beside each, in rising order.
+void SurfacePatches::Cutter::list_beside(ThreadPool& pool) {
+  const uint32_t count = patches_.count();
+  const std::vector<uint32_t>& patch = patches_.patch_of_cell_;
+  std::vector<uint32_t> first(count + 1, 0);
+  for (auto& [a, b] : beside_) {
+    a = patch[a];
+    b = patch[b];
+    if (a == b) continue;
+    ++first[a + 1];
+    ++first[b + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<uint32_t> all(first.back()), at(first.begin(), first.end() - 1);
+  for (const auto& [a, b] : beside_) {
+    if (a == b) continue;
+    all[at[a]++] = b;
+    all[at[b]++] = a;
+  }
+  std::vector<uint32_t>& first_kept = patches_.first_beside_;
+  first_kept.assign(count + 1, 0);
+  const auto of = [&](uint32_t p) { return all.begin() + first[p]; };
+  pool.for_blocks(count, kAtATime, [&](size_t, size_t begin, size_t end) {
+    for (auto p = static_cast<uint32_t>(begin); p < end; ++p) {
+      std::sort(of(p), of(p + 1));
+      first_kept[p + 1] = static_cast<uint32_t>(std::unique(of(p), of(p + 1)) - of(p));
+    }
+  });
+  std::partial_sum(first_kept.begin(), first_kept.end(), first_kept.begin());
+  patches_.beside_.resize(first_kept.back());
+  pool.for_blocks(count, kAtATime, [&](size_t, size_t begin, size_t end) {
+    for (auto p = static_cast<uint32_t>(begin); p < end; ++p) {
+      std::copy_n(of(p), first_kept[p + 1] - first_kept[p], patches_.beside_.begin() + first_kept[p]);
+    }
+  });
 }
 
 void SurfacePatches::Cutter::add_up() {

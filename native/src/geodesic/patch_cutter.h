@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/disjoint_sets.h"
+#include "base/large_pages.h"
 #include "geodesic/surface_patches.h"
 
 namespace meander {
@@ -28,7 +29,6 @@ class SurfacePatches::Cutter {
   std::vector<Vec3> centre;
   std::vector<double> area, r, coherence;  // coherence: length of the mean normal
   std::vector<uint8_t> at_crease;
-  std::vector<std::array<uint32_t, 2>> beside;  // pairs that touch, each once, in rising order
   std::vector<Vec3> creases;                    // points on them, kCreaseStep apart
 
   /// Fills what is above, and the faces, cells and traits of the patches. Once.
@@ -50,6 +50,7 @@ class SurfacePatches::Cutter {
   uint32_t cell_at(uint32_t f, Vec2 p) const;
   std::pair<uint32_t, double> longest_side(uint32_t f) const;
   void lay_out_cells(ThreadPool& pool);
+  Grid grid_of(uint32_t f, uint32_t first) const;
   void lay_grid(uint32_t f);
   void meet(DisjointSets& sets, uint32_t a, uint32_t b);
   void join_empty(DisjointSets& sets, const Grid& g);
@@ -60,13 +61,15 @@ class SurfacePatches::Cutter {
   void sample_crease(HalfEdge e);
   void join_slivers(DisjointSets& sets);
   void number(DisjointSets& sets);
+  void list_beside(ThreadPool& pool);
   void add_up();
 
   SurfacePatches& patches_;
   const Surface& s_;
   const RadiusField& radius_;
   double least_size_;
-  std::vector<Cell> cells_;
+  Table<Cell> cells_;
+  std::vector<std::array<uint32_t, 2>> beside_;  // pairs of cells that touch, and then of patches
   std::vector<std::pair<uint32_t, Crease>> crease_cells_;
 };
 

@@ -31,23 +31,19 @@ class PatchSteps {
 
   /// `centre`  of the patches
   PatchSteps(const SurfacePatches& patches, const std::vector<Vec3>& centre, ThreadPool& pool) {
-    constexpr size_t kBlock = 512;
-    first_.assign(patches.count() + 1, 0);
-    std::vector<std::vector<Step>> of_blocks(ThreadPool::block_count(patches.count(), kBlock));
+    ends_.resize(patches.count());
+    blocks_.resize(ThreadPool::block_count(patches.count(), kBlock));
     pool.for_blocks(patches.count(), kBlock, [&](size_t block, size_t begin, size_t end) {
       for (auto p = static_cast<uint32_t>(begin); p < end; ++p) {
-        const size_t before = of_blocks[block].size();
-        add(patches, centre, p, of_blocks[block]);
-        first_[p + 1] = static_cast<uint32_t>(of_blocks[block].size() - before);
+        add(patches, centre, p, blocks_[block]);
+        ends_[p] = static_cast<uint32_t>(blocks_[block].size());
       }
     });
-    for (uint32_t p = 0; p < patches.count(); ++p) first_[p + 1] += first_[p];
-    steps_.reserve(first_.back());
-    for (const std::vector<Step>& steps : of_blocks) steps_.insert(steps_.end(), steps.begin(), steps.end());
   }
 
   std::span<const Step> from(uint32_t p) const {
-    return std::span(steps_).subspan(first_[p], first_[p + 1] - first_[p]);
+    const uint32_t first = p % kBlock == 0 ? 0 : ends_[p - 1];
+    return std::span(blocks_[p / kBlock]).subspan(first, ends_[p] - first);
   }
 
  private:
@@ -70,8 +66,9 @@ class PatchSteps {
     }
   }
 
-  std::vector<uint32_t> first_;
-  std::vector<Step> steps_;
+  static constexpr uint32_t kBlock = 512;  // patches whose steps are in one list
+  std::vector<std::vector<Step>> blocks_;
+  std::vector<uint32_t> ends_;  // of the steps of each patch, in its list
 };
 
 /// One search after another, in the same memory: that is as large as the surface, while a search is small. One thread.

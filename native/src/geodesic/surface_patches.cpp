@@ -180,18 +180,6 @@ class SurfacePatches::Comparison {
 SurfacePatches::SurfacePatches(const Surface& surface, const RadiusField& radius, double clamp, ThreadPool& pool) {
   Cutter cutter(*this, surface, radius);
   cutter.cut(pool);
-  first_beside_.assign(count() + 1, 0);
-  for (const auto& [a, b] : cutter.beside) {
-    ++first_beside_[a + 1];
-    ++first_beside_[b + 1];
-  }
-  for (uint32_t p = 0; p < count(); ++p) first_beside_[p + 1] += first_beside_[p];
-  beside_.resize(2 * cutter.beside.size());
-  std::vector<uint32_t> at(first_beside_.begin(), first_beside_.end() - 1);
-  for (const auto& [a, b] : cutter.beside) {
-    beside_[at[a]++] = b;
-    beside_[at[b]++] = a;
-  }
   Comparison(*this, cutter, pool).compare(clamp, pool);
   creased_anywhere_ = std::ranges::any_of(traits_, [](const Traits& t) { return t.creased != Crease::kFlat; });
   coarse_creases_anywhere_ =
