@@ -222,7 +222,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
     spacing.least = kLeastAlong;
   }
   const size_t before = lines.size();
-  draw_streamlines(whole, radius, spacing, first_lines, variation, network, poll, lines);
+  draw_streamlines(whole, radius, spacing, first_lines, variation, network, pool, poll, lines);
   trunks.prolong(whole, before, network, lines, poll);
 
   FullStart start;

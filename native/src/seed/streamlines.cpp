@@ -12,14 +12,10 @@
 #include "base/variation.h"
 #include "geodesic/chart.h"
 #include "seed/field_steps.h"
+#include "seed/line_crowding.h"
 
 namespace meander {
 namespace {
-
-/// A line comes no nearer to itself than by this share of the way along it: it may turn back, by three quarters of a
-/// circle, but not wind round a limb that is thinner than a spacing. near_target along the surface on spot, in the
-/// median of three orders of its faces, is .9895, .9845 with .45, and .9843 with .6.
-constexpr double kOwn = 0.3;
 
 /// Others begin beside every fourth node of a line.
 constexpr size_t kEvery = 4;
@@ -37,16 +33,9 @@ constexpr double kNarrower = 0.2;
 /// Each line has a link, which is so long in r.
 constexpr double kLink = 3;
 
-/// And another begins where there is this much of the room that it is to have.
-constexpr double kRoom = 0.97;
-
 /// A stem is narrower than this, in r, and has two lines from the second width on: four strands, a quarter of the width
 /// from one another, are then nearer to the spacing than two at half of it.
 constexpr double kStem = 8, kTwoLines = 16.0 / 3;
-
-/// The boundary is on both sides of a place where two directions to it are so opposed (a cosine), and the place is in
-/// the middle of a narrow strip where it is farther from the nearer side than this share of the width.
-constexpr double kOpposite = -0.8, kFromMiddle = 0.3;
 
 /// The field runs along the boundary where one of the two ways across it ends within this, in r.
 constexpr double kOutside = 0.1;
@@ -61,14 +50,17 @@ constexpr double kPlaces = 2;
 constexpr double kAround = 0.7;
 constexpr uint32_t kMostRows = 256;
 
+/// So many places are looked at ahead of the lines that begin there: the more, the longer none has begun.
+constexpr size_t kLeastAhead = 64, kMostAhead = 8192;
+
 class Drawer {
  public:
   Drawer(const LineField& field, const RadiusField& radius, const LineSpacing& spacing, uint32_t variation,
-         LineNetwork& network, CancelToken poll, std::vector<Streamline>& lines)
+         LineNetwork& network, ThreadPool& pool, CancelToken poll, std::vector<Streamline>& lines)
       : field_(field), steps_(network.surface(), field), radius_(radius), spacing_(spacing), variation_(variation),
-        network_(network), s_(network.surface()), poll_(poll), shortener_(s_), lines_(lines),
-        trunks_(lines.size()), drawn_(s_.component_count(), 0), wanted_(s_.component_count(), 0),
-        has_line_(s_.component_count(), 0), crowded_(network.patch_count()) {
+        network_(network), s_(network.surface()), crowding_(spacing, network, lines.size()), pool_(pool), poll_(poll),
+        shortener_(s_), lines_(lines), trunks_(lines.size()), drawn_(s_.component_count(), 0),
+        wanted_(s_.component_count(), 0), has_line_(s_.component_count(), 0), crowded_(network.patch_count()) {
     for (uint32_t f = 0; f < s_.face_count(); ++f) {
       const double r = radius_.at(s_, make_point(f, 1, 1, 1));
       wanted_[s_.component(f)] += spacing_.full * s_.face_area(f) / (spacing_.apart * r * r);
@@ -101,22 +93,64 @@ class Drawer {
     uint32_t stride = static_cast<uint32_t>(0.6180339887 * faces) | 1u;
     while (std::gcd(stride, faces) != 1) stride += 2;
     const auto first = static_cast<uint32_t>(share_of_variation(variation_) * faces);
-    for (uint32_t k = 0, f = first; k < faces; ++k, f = static_cast<uint32_t>((uint64_t{f} + stride) % faces)) {
-      for_places(f, [&](const SurfacePoint& p) {
+    size_t ahead = kLeastAhead;
+    for (uint32_t k = 0, f = first; k < faces;) {
+      places_.clear();
+      for (; k < faces && places_.size() < ahead; ++k, f = static_cast<uint32_t>((uint64_t{f} + stride) % faces)) {
+        for_places(f, [&](const SurfacePoint& p) {
+          places_.push_back({{p, Vec3::Zero(), kNone, kNone, 0, 0}, kUnknown});
+        });
+      }
+      const size_t before = lines_.size();
+      look_ahead();
+      for (Place& place : places_) {
         poll_();
-        if (is_full(p)) return;
-        const LineNetwork::Node node = network_.make_node(p, static_cast<uint32_t>(lines_.size()), 0);
-        Crowded& known = crowded_[node.patch];
-        if ((node.place - known.place).norm() < known.around || ends_at_once(node)) return;
-        const double around = kAround * crowding(node, true);
-        if (around > 0) {
-          known = {node.place, around};
-          return;
-        }
-        begin_at(node);
-        draw_beside();
-      });
+        if (lines_.size() != before) place.crowding = kUnknown;
+        fill_at(place);
+      }
+      ahead = lines_.size() == before ? std::min(2 * ahead, kMostAhead) : std::max(ahead / 2, kLeastAhead);
     }
+  }
+
+  /// A place where a line may begin, and what is known of it.
+  struct Place {
+    LineNetwork::Node node;  // no more than its point where there is no room for a line
+    double crowding;         // or kUnknown
+  };
+  static constexpr double kUnknown = -1;
+
+  /// How crowded the places are with the lines that are there: at most of them none begins. It would not be known
+  /// sooner on one thread.
+  void look_ahead() {
+    constexpr size_t kPlacesAtATime = 32;
+    pool_.for_blocks(places_.size(), kPlacesAtATime, [&](size_t, size_t begin, size_t end) {
+      for (size_t k = begin; k < end; ++k) {
+        Place& place = places_[k];
+        if (is_full(place.node.point)) continue;
+        place.node = network_.make_node(place.node.point, static_cast<uint32_t>(lines_.size()), 0);
+        if (pool_.size() == 1 || is_known(place.node) || network_.beside_boundary(place.node.patch)) continue;
+        place.crowding = crowding_.at_start(place.node, apart_, place.node.radius);
+      }
+    });
+  }
+
+  bool is_known(const LineNetwork::Node& node) const {
+    const Crowded& known = crowded_[node.patch];
+    return (node.place - known.place).norm() < known.around;
+  }
+
+  void fill_at(Place& place) {
+    if (is_full(place.node.point)) return;
+    LineNetwork::Node& node = place.node;
+    node.line = static_cast<uint32_t>(lines_.size());
+    if (is_known(node) || ends_at_once(node)) return;
+    if (place.crowding == kUnknown) place.crowding = crowding_.at_start(node, apart_, node.radius);
+    if (place.crowding > 0) {
+      crowded_[node.patch] = {node.place, kAround * place.crowding};
+      return;
+    }
+    begin_at(node);
+    draw_beside();
   }
 
   /// Places beside the boundary, where the field runs along it. Across a stem, as of a letter, there are as many lines
@@ -181,52 +215,8 @@ class Drawer {
       const SurfacePoint& p = beside_.front();
       if (is_full(p)) continue;
       const LineNetwork::Node node = network_.make_node(p, static_cast<uint32_t>(lines_.size()), 0);
-      if (!ends_at_once(node) && !(crowding(node, true) > 0)) begin_at(node);
+      if (!ends_at_once(node) && !(crowding_.at_start(node, apart_, 0) > 0)) begin_at(node);
     }
-  }
-
-  /// By how much `p` is too near to something, or more than that: 0 if it is not. Where a line begins or, else, where
-  /// one is at `arc`.
-  double crowding(const LineNetwork::Node& p, bool begins) const {
-    const double apart = (begins ? kRoom * apart_ : spacing_.least) * p.radius;
-    const double walls = (begins ? kRoom * spacing_.from_walls : spacing_.least_from_walls) * p.radius;
-    const double boundary = spacing_.from_boundary * p.radius;
-    const double enough = begins ? p.radius : 0;
-    double most = 0;
-    bool beside = false;
-    beside_boundary_.clear();
-    network_.near(p, std::max({apart, walls, 2 * boundary}), [&](uint32_t i, double distance) {
-      const LineNetwork::Node& other = network_.nodes()[i];
-      double limit = apart;
-      if (other.line == LineNetwork::kBoundary) {
-        beside |= distance < boundary;
-        if (distance < 2 * boundary) beside_boundary_.push_back(other.place - p.place);
-        return false;
-      } else if (other.line == LineNetwork::kWall || other.line < trunks_) {
-        limit = walls;
-      } else if (other.line == p.line) {
-        limit = std::min(apart, kOwn * std::abs(other.arc - p.arc) * p.radius);
-      }
-      most = std::max(most, limit - distance);
-      return most > enough;
-    });
-    if (!beside || most > enough) return most;
-    return std::max(most, boundary_crowding(boundary));
-  }
-
-  /// The same of the boundary, which is to be as far as `limit` or, in a strip on whose both sides it is, and on the
-  /// other within twice that, no nearer than a share of its width: a line along the middle of it has room for itself,
-  /// also round a corner, where the outer side is farther.
-  double boundary_crowding(double limit) const {
-    const Vec3& nearest =
-        *std::ranges::min_element(beside_boundary_, {}, [](const Vec3& v) { return v.squaredNorm(); });
-    const double here = nearest.norm();
-    double opposite = std::numeric_limits<double>::infinity();
-    for (const Vec3& v : beside_boundary_) {
-      if (v.dot(nearest) < kOpposite * v.norm() * here) opposite = std::min(opposite, v.norm());
-    }
-    const bool in_the_middle = here > kFromMiddle * (here + opposite);
-    return in_the_middle ? 0 : limit - here;
   }
 
   void begin_at(const LineNetwork::Node& first) {
@@ -257,7 +247,7 @@ class Drawer {
       LineNetwork::Node node = network_.make_node(points[k], static_cast<uint32_t>(lines_.size()), 0);
       ++k;
       poll_();
-      if (crowding(node, false) > 0) continue;
+      if (crowding_.ahead(node) > 0) continue;
       Streamline drawn;
       drawn.nodes.push_back(network_.add_node(node));
       for (; k < points.size() && go_on(points[k], drawn.nodes); ++k) poll_();
@@ -278,7 +268,7 @@ class Drawer {
     const uint32_t from = nodes.back();
     const LineNetwork::Node here = network_.nodes()[from];
     const LineNetwork::Node node = network_.make_node(p, here.line, here.arc + spacing_.step);
-    if (crowding(node, false) > 0) return false;
+    if (crowding_.ahead(node) > 0) return false;
     Chart chart = Chart::at(here.point, here.place);
     if (!chart.advance_to(s_, p, node.place, 2 * spacing_.step * std::max(here.radius, node.radius))) return false;
     Path path;
@@ -315,7 +305,7 @@ class Drawer {
       auto ahead = steps_.ahead(here.point, direction, spacing_.step * here.radius);
       if (!ahead) return;
       const LineNetwork::Node node = network_.make_node(ahead->end, line, here.arc + sign * spacing_.step);
-      if (crowding(node, false) > 0 || network_.touches(from, kNone, ahead->end, ahead->path)) return;
+      if (crowding_.ahead(node) > 0 || network_.touches(from, kNone, ahead->end, ahead->path)) return;
       const PathShape shape = measure_path(s_, here.point, ahead->end, ahead->path);
       if (!(shape.length > 0)) return;
       const uint32_t to = network_.add_node(node);
@@ -350,6 +340,8 @@ class Drawer {
   uint32_t variation_;
   LineNetwork& network_;
   const Surface& s_;
+  LineCrowding crowding_;
+  ThreadPool& pool_;
   CancelToken poll_;
   PathShortener shortener_;
   double apart_ = 0, shortest_ = 0;  // of the lines that are drawn
@@ -358,20 +350,20 @@ class Drawer {
   std::vector<double> drawn_, wanted_;  // per component: length of its lines, in the local r
   std::vector<uint8_t> has_line_;       // per component: one that was drawn, or a trunk
   std::deque<SurfacePoint> beside_;
-  mutable std::vector<Vec3> beside_boundary_;  // from one place to the boundary near it
   struct Crowded {
     Vec3 place = Vec3::Zero();
     double around = 0;
   };
   std::vector<Crowded> crowded_;  // per patch: places so far from here have no room for a line
+  std::vector<Place> places_;
 };
 
 }  // namespace
 
 void draw_streamlines(const LineField& field, const RadiusField& radius, const LineSpacing& spacing,
                       std::span<const std::vector<SurfacePoint>> laid, uint32_t variation, LineNetwork& network,
-                      CancelToken poll, std::vector<Streamline>& lines) {
-  if (!field.empty()) Drawer(field, radius, spacing, variation, network, poll, lines).draw(laid);
+                      ThreadPool& pool, CancelToken poll, std::vector<Streamline>& lines) {
+  if (!field.empty()) Drawer(field, radius, spacing, variation, network, pool, poll, lines).draw(laid);
 }
 
 }  // namespace meander

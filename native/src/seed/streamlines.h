@@ -45,9 +45,9 @@ struct LineSpacing {
 /// `radius`  r, which may vary
 /// `laid`    lines that are there first, each as points `step` apart: as far as they keep these distances
 /// `variation`  where the first lines begin that begin anywhere
-/// `poll`    is called for every node
+/// `poll`    is called for every node; `pool` looks at places ahead, and has no influence on what is drawn
 void draw_streamlines(const LineField& field, const RadiusField& radius, const LineSpacing& spacing,
                       std::span<const std::vector<SurfacePoint>> laid, uint32_t variation, LineNetwork& network,
-                      CancelToken poll, std::vector<Streamline>& lines);
+                      ThreadPool& pool, CancelToken poll, std::vector<Streamline>& lines);
 
 }  // namespace meander
