@@ -17,6 +17,8 @@ constexpr double kRadius = 0.02;
 /// Sizes that differ by less than this share count as equal in a climb.
 constexpr double kEqual = 1e-9;
 
+using Size = Emptiness::Size;
+
 struct Scene {
   Scene(const Mesh& mesh, const RadiusField& r) : surface(make_surface(mesh)), radius(r) {
     Rng rng(17);
@@ -44,7 +46,13 @@ void expect_same_as_single_points(const Scene& scene, bool along_surface) {
   for (int climb = 0; climb < 40; ++climb) {
     EmptinessNearby nearby(emptiness);
     Gap best = emptiness.at(random_point(scene.surface, rng));
-    EXPECT_LE(emptiness.at_least(best.centre).radius, best.radius);
+    const auto compare = [&](double low, double high) {
+      return emptiness.compare(best.centre, low * best.radius, high * best.radius);
+    };
+    EXPECT_EQ(compare(0.9, 0.99), Size::kAbove);
+    EXPECT_EQ(compare(0.99, 1.01), Size::kBetween);
+    EXPECT_EQ(compare(1.01, 1.1), Size::kBelow);
+    EXPECT_EQ(compare(1.01, 1.01), Size::kBelow);
     for (int k = 0; k < 100; ++k) {
       const double r = scene.radius.at(scene.surface, best.centre);
       const Vec2 step = (r * std::pow(2, rng.in(-8, 2))) * rng.direction();

@@ -117,6 +117,20 @@ Gap Emptiness::at(const SurfacePoint& p) const {
   return {p, distance, distance / r};
 }
 
+Emptiness::Size Emptiness::compare(const SurfacePoint& p, double low, double high) const {
+  const auto [gap, segment, node] = through_space(p);
+  if (!(gap.radius < high)) return Size::kAbove;
+  const double most = kFarthest * local_radius(p);
+  if (!(gap.radius < most) || straight(p) || reaches(p, gap.radius, segment, node)) {
+    return gap.radius < low ? Size::kBelow : Size::kBetween;
+  }
+  const auto is_below = [&](double radius) {
+    return gap.radius < radius && (most < radius || any_on_surface(p, nodes_[node], radius));
+  };
+  if (is_below(low)) return Size::kBelow;
+  return low < high && is_below(high) ? Size::kBetween : Size::kAbove;
+}
+
 double Emptiness::distance_to_path(const Vec3& x, uint32_t segment) const {
   double distance = std::numeric_limits<double>::infinity();
   Vec3 from = nodes_[segment];

@@ -85,9 +85,9 @@ class Emptiness {
 
   /// The largest empty ball around a point.
   Gap at(const SurfacePoint& p) const;
-  /// What it is at least: as far as the curve is through space, which is sooner known where much of the surface is
-  /// near through space and far along it.
-  Gap at_least(const SurfacePoint& p) const { return through_space(p).gap; }
+  /// How the radius of that ball compares with two others, which is sooner known where much of the surface is near.
+  enum class Size { kBelow, kBetween, kAbove };
+  Size compare(const SurfacePoint& p, double low, double high) const;
 
  private:
   friend class EmptinessNearby;

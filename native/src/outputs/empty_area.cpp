@@ -141,15 +141,14 @@ bool is_narrow(const Emptiness& emptiness, const SurfacePoint& p, CancelToken& p
   return places.empty() || area < spacing * extent_of(places, x);
 }
 
-bool EmptyFaces::narrow_at(const Gap& place) {
+bool EmptyFaces::narrow_at(const SurfacePoint& place, double r) {
   const Surface& surface = emptiness_.surface();
-  const Vec3 x = position(surface, place.centre);
-  const double r = place.radius / place.size;
-  const uint32_t component = surface.component(place.centre.face);
+  const Vec3 x = position(surface, place);
+  const uint32_t component = surface.component(place.face);
   for (const Known& known : known_) {
     if (known.component == component && (x - known.place).norm() < kAlike * r) return known.narrow;
   }
-  const bool narrow = is_narrow(emptiness_, place.centre, poll_);
+  const bool narrow = is_narrow(emptiness_, place, poll_);
   known_[next_++ % known_.size()] = {component, x, narrow};
   return narrow;
 }
@@ -167,14 +166,10 @@ void EmptyFaces::add(uint32_t face, double nearer_than) {
     if (reach > r) return true;
     // How far a line is to be from there, to leave it empty.
     const double wanted = strip_.wanted_at(position(surface, middle), r) + kEmptySize * r;
-    const bool finest = reach <= kFinest * r;
-    const Gap least = emptiness_.at_least(middle);
-    const double surely = least.radius - wanted;
-    const Gap place = surely >= reach || (finest && surely > 0) ? least : emptiness_.at(middle);
-    const double beyond = place.radius - wanted;
-    if (std::abs(beyond) < reach && !finest) return true;
-    if (beyond > 0) (narrow_at(place) ? area_.narrow : area_.wide) += cell.area();
-    return false;
+    const double unsure = reach <= kFinest * r ? 0 : reach;
+    const Emptiness::Size size = emptiness_.compare(middle, wanted - unsure, wanted + unsure);
+    if (size == Emptiness::Size::kAbove) (narrow_at(middle, r) ? area_.narrow : area_.wide) += cell.area();
+    return size == Emptiness::Size::kBetween;
   });
 }
 

@@ -50,7 +50,7 @@ class EmptyFaces {
   const EmptyArea& area() const { return area_; }
 
  private:
-  bool narrow_at(const Gap& place);
+  bool narrow_at(const SurfacePoint& place, double r);
 
   const Emptiness& emptiness_;
   EmptyStrip strip_;
