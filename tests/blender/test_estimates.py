@@ -226,6 +226,39 @@ def test_the_preferences_belong_to_the_package():
     assert preferences.MeanderPreferences.bl_idname == preferences.PACKAGE == "meander"
 
 
+class Rows:
+    """A layout that keeps its labels."""
+
+    def __init__(self) -> None:
+        self.texts: list[str] = []
+
+    def column(self) -> Rows:
+        return self
+
+    def label(self, text: str, icon: str) -> None:
+        del icon
+        self.texts.append(text)
+
+
+def test_a_question_names_the_export_where_blender_would_hang(monkeypatch):
+    asked: list[dict] = []
+    monkeypatch.setattr(
+        run_operators, "bpy", SimpleNamespace(ops=SimpleNamespace(meander=SimpleNamespace(
+            ask_run=lambda _mode, **given: asked.append(given)
+        )))
+    )
+    for points in (600_000, 3_000_000):
+        operator = SimpleNamespace(
+            _queue=SimpleNamespace(estimate_of_rest=lambda *_, n=points: Estimate(n, 1.0, 10**7)),
+            _what=dict,
+        )
+        assert run_operators.MEANDER_OT_run._asks(operator, None, None)
+    rows = Rows()
+    run_operators.draw_question(rows, asked[1]["figures"], asked[1]["notice"])
+    assert any("batch command" in text for text in rows.texts)
+    assert asked[0]["notice"] == ""
+
+
 def test_scripts_are_not_asked(monkeypatch):
     surface = sphere()
     monkeypatch.setattr(run_operators, "is_large", lambda _estimate: True)

@@ -15,7 +15,15 @@ import numpy as np
 import pytest
 from conftest import PACKAGE
 from meander import core
-from meander.model.estimate import Estimate, Speeds, cost_of, described, estimated, extent_of
+from meander.model.estimate import (
+    Estimate,
+    Speeds,
+    cost_of,
+    described,
+    estimated,
+    extent_of,
+    hanging_in_words,
+)
 from meander.model.geometry.reflection import mirror_of
 from meander.model.mirror import halved
 from meander.model.problem import Problem
@@ -126,6 +134,12 @@ def test_surfaces_without_area_have_no_points():
 )
 def test_in_words(points, seconds, memory, words):
     assert described(Estimate(int(points), seconds, int(memory))) == words
+
+
+def test_blender_is_advised_against_where_it_would_hang():
+    assert hanging_in_words(1_000_000) == ""
+    words = hanging_in_words(3_000_000)
+    assert "15 s" in words and "batch command" in words and "--output" in words
 
 
 def test_edges_are_counted_once():

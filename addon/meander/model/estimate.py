@@ -21,6 +21,10 @@ from .. import core
 # one.
 BYTES_PER_POINT = 330
 BYTES_PER_BEVELLED_POINT = 1600
+# Blender hangs so long for each point while it takes the curve of a run in, and longer than this
+# nobody waits; see docs/performance.md.
+SECONDS_PER_POINT = 4.9e-6
+_MOST_SECONDS = 5.0
 # Runs of fewer nodes say nothing of the machine's speed.
 LEAST_NODES = 2000
 # The share of a run that threads do not share.
@@ -181,6 +185,18 @@ def described(estimate: Estimate) -> str:
     return (
         f"{_count(estimate.points)} points, {_duration(estimate.seconds)}, "
         f"{_size(estimate.memory)}"
+    )
+
+
+def hanging_in_words(points: int) -> str:
+    """Lines about what to do where Blender would hang too long with a curve of so many points;
+    empty where it would not."""
+    seconds = SECONDS_PER_POINT * points
+    if seconds <= _MOST_SECONDS:
+        return ""
+    return (
+        f"Blender hangs for {_duration(seconds)} when it is done\n"
+        "The batch command writes a file instead (--output)"
     )
 
 

@@ -13,7 +13,7 @@ import bpy
 from bpy.props import BoolProperty, StringProperty
 
 from .. import core
-from ..model.estimate import described
+from ..model.estimate import described, hanging_in_words
 from ..run import estimate as estimates
 from ..run import session, suspended
 from ..run.edit_mode import push_undo
@@ -202,15 +202,21 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
             "INVOKE_DEFAULT",
             **self._what(),
             figures=described(estimate),
+            notice=hanging_in_words(estimate.points),
         )
         return True
 
 
-def draw_question(layout: bpy.types.UILayout, figures: str) -> None:
-    """What a question before a large run says, above its buttons."""
+def draw_question(layout: bpy.types.UILayout, figures: str, notice: str = "") -> None:
+    """What a question before a large run says, above its buttons.
+
+    notice   lines that speak against it; empty: nothing does
+    """
     column = layout.column()
     column.label(text=f"About {figures}", icon="QUESTION")
     column.label(text="A wider spacing needs less", icon="BLANK1")
+    for line in notice.splitlines():
+        column.label(text=line, icon="BLANK1")
 
 
 class MEANDER_OT_ask_run(bpy.types.Operator):
@@ -223,12 +229,13 @@ class MEANDER_OT_ask_run(bpy.types.Operator):
     restart: BoolProperty(options={"HIDDEN", "SKIP_SAVE"})
     beside: BoolProperty(options={"HIDDEN", "SKIP_SAVE"})
     figures: StringProperty(options={"HIDDEN", "SKIP_SAVE"})
+    notice: StringProperty(options={"HIDDEN", "SKIP_SAVE"})
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         return ask(context.window_manager, self, 340, "Fill")
 
     def draw(self, _context: bpy.types.Context) -> None:
-        draw_question(self.layout, self.figures)
+        draw_question(self.layout, self.figures, self.notice)
 
     def execute(self, _context: bpy.types.Context) -> set[str]:
         bpy.ops.meander.run("INVOKE_DEFAULT", restart=self.restart, beside=self.beside, asked=True)
