@@ -18,7 +18,7 @@
 # --emulators also Wine, qemu and what else tests/platforms needs.
 #
 # With --web also Node, and in build/web-tools what web/package.json names, by npm: what
-# scripts/build_web.sh needs; with --wasi Debian's C library for it, with --browser Chromium, for scripts/test_web.sh.
+# scripts/build_web.sh needs, and actionlint; with --wasi Debian's C library for it, with --browser Chromium, for scripts/test_web.sh.
 #
 # With --build it installs what scripts/build.sh needs and nothing else.
 #

@@ -211,6 +211,7 @@ beside suite sweep 600 "${in_profile[@]}" \
 profile readers
 beside suite readers 300 "${in_profile[@]}" "$bpy_python" -m pytest -q -p no:cacheprovider "${for_machines[@]}"
 beside check site 120 bash scripts/build_site.sh
+beside check workflows 120 node --test tests/web/workflows.test.mjs
 beside check lint 60 "$(dirname "$bpy_python")/ruff" check --no-cache .
 beside check rooms 60 env PYTHONPATH=addon "$(dirname "$bpy_python")/lint-imports" --no-cache
 wait
