@@ -126,7 +126,8 @@ def draw_picture(
     width     of the drawing, in millimetres
     pen       width of its line, in millimetres
     mask      likewise, of any size: no line where it is dark or transparent
-    run       called with each flow, runs it to its end and returns why that came
+    run       called with each flow, runs it to its end and returns why that came; up to three times
+              with the same flow, while its line is more than a hundredth off the tone
     wishes    as the flags of the command: style ("portrait", "engraving", "scribble"), tone ("eye",
               "light", "value"), darkest, lightest, levels, local_contrast, sharpen, spread, paper,
               leave_white, bridges, inks, variation, threads

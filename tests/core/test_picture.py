@@ -17,7 +17,7 @@ from conftest import PACKAGE
 from meander import batch, core
 from meander.model.files.whole import FileError
 from meander.model.geometry.flat_crossings import crossings, segments_of
-from meander.model.picture import drawn, image, inks, line, sheet, strip, tone
+from meander.model.picture import correction, drawn, forms, image, inks, line, sheet, strip, tone
 
 PEN = 1.2
 
@@ -80,6 +80,46 @@ def test_no_two_strands_are_nearer_than_the_pen():
     (layer,) = line.draw(flat, wishes(width=60.0))
     assert layer.plan.least_spacing == pytest.approx(PEN / 0.9)
     assert layer.figures["spacing_p05"] > PEN
+
+
+def line_art(count: int = 240) -> np.ndarray:
+    """Values of a ring, hatching finer than a pen of half a millimetre on 60, and a solid block."""
+    values = np.ones((count, count))
+    y, x = np.mgrid[:count, :count]
+    ring = np.hypot(x - 0.35 * count, y - 0.35 * count) - 0.22 * count
+    values[np.abs(ring) < 0.012 * count] = 0.0
+    for k in range(12):
+        values[148:216, int(120 + 7.2 * k)] = 0.0
+    values[168:206, 24:72] = 0.0
+    return values
+
+
+@pytest.mark.parametrize("style", ["portrait", "scribble"])
+def test_line_art_has_its_tones(style):
+    asked = []
+
+    def run(flow: core.Flow) -> str:
+        asked.append(flow.statistics()["iterations"])
+        return flow.run()
+
+    changes = {"width": 60.0, "pen": 0.5, "style": style}
+    (layer,) = line.draw(image.image_of(line_art()), wishes(**changes), run=run)
+    assert layer.error.two <= 0.01  # .014 and .018 by one run
+    assert len(asked) <= 3 and asked == sorted(asked)
+    assert layer.reason == "converged" and len(layer.strands) == 1
+    assert has_no_crossing(layer.strands)
+
+
+def test_what_a_drawing_lacks_is_asked_for_evenly():
+    share = np.full((60, 60), 0.3)
+    ink = np.where(np.arange(60) < 30, 0.2, 0.4) * np.ones((60, 1))
+    kind = tone.Tone("value")
+    asked = correction.corrected(share, share, ink, 2.0, kind)
+    assert np.allclose(asked[:, 5], 0.4) and np.allclose(asked[:, -5], 0.2)
+    dark = correction.corrected(np.full_like(share, 0.88), share, ink, 2.0, kind)
+    assert dark.max() == kind.darkest
+    light = correction.corrected(np.full_like(share, 0.06), share, ink, 2.0, kind)
+    assert light.min() == pytest.approx(kind.lightest / 2.0)
 
 
 def test_a_blur_keeps_the_mean_and_spreads_a_point():
@@ -229,7 +269,7 @@ def test_a_hole_stays_white_and_the_line_is_one():
 
 def test_rows_of_an_engraving_follow_the_edges():
     x, y = np.meshgrid(np.linspace(-1, 1, 80), np.linspace(1, -1, 80))
-    angles = line.form_angles(0.5 + 0.3 * np.sin(12 * np.hypot(x, y)), 3.0)
+    angles = forms.form_angles(0.5 + 0.3 * np.sin(12 * np.hypot(x, y)), 3.0)
     ring = (np.hypot(x, y) > 0.4) & (np.hypot(x, y) < 0.8)
     along = np.arctan2(x, -y)  # round the middle
     assert np.abs(np.cos(angles - along))[ring].mean() > 0.97

@@ -16,7 +16,7 @@ from ..model.files.whole import naming, whole_files
 from ..model.picture import line
 from ..model.picture.drawn import preview
 from ..model.picture.image import Image
-from ..model.picture.page import curve_of, pieces_of_page
+from ..model.picture.page import curve_of, drawing_of, moved, pieces_of_page
 from ..model.report import write_report
 from . import standard
 from .wishes import PREVIEWS, file_values, in_one_file, of_ink
@@ -70,7 +70,7 @@ def _write_drawing(
     if suffix in PREVIEWS:
         _write_preview(temporary, layers, arguments)
     elif suffix == ".obj":
-        write_obj_curve(temporary, curve_of(line.drawing_of(layers, arguments.margin)))
+        write_obj_curve(temporary, curve_of(drawing_of(layers, arguments.margin)))
     else:
         sides, values = _sides(arguments, layers), file_values(arguments)
         write_pieces(temporary, pieces_of_page(path, layers, sides, arguments.margin, values))
@@ -80,7 +80,7 @@ def _write_preview(
     temporary: Path, layers: list[line.Layer], arguments: argparse.Namespace
 ) -> None:
     shown = [
-        (layer.plan.colour, [line.moved(strand, arguments.margin) for strand in layer.strands])
+        (layer.plan.colour, [moved(strand, arguments.margin) for strand in layer.strands])
         for layer in layers
     ]
     width = arguments.pen + arguments.spread

@@ -25,8 +25,10 @@ from ..problem import Problem
 from ..toolpaths import bridges
 from ..toolpaths.drawing import Drawing
 from ..toolpaths.toolpath import Strand, strands_of
+from .correction import corrected
 from .drawn import ToneError, ink_of, tone_error
-from .image import Image, averaged, blurred
+from .forms import form_angles
+from .image import Image, averaged
 from .inks import INKS, separated
 from .sheet import Grid, cells_kept, grid_of, triangles
 from .tone import Tone, Wanted, darkness_on_paper, grey_light, lightness, wanted
@@ -36,19 +38,19 @@ STYLES = ("portrait", "engraving", "scribble")
 
 # More places of a grid would need gigabytes, and no pen shows them.
 _MOST_PLACES = 30_000_000
-# Cells, in widths of the line. With 1 a page of line art is .0246 off where it grows, and .0203 in
-# rows, with .7 .0184 and .0199, and with .5 .0199 in rows.
+# Cells, in widths of the line. By one run, a page of line art is .0246 off with 1 where it grows,
+# and .0203 in rows, with .7 .0184 and .0199, and with .5 .0199 in rows.
 _CELL = 0.7
 # Of the length of a segment, in half spacings: half as much again as the library's own is a third
 # fewer nodes, for a thousandth of the range in tone.
 SEGMENT = 0.3
 # How much directions count, where there are any: with 2 the tone suffers.
 ALIGNMENT = 1.0
-# The mean spacings over which the direction of an engraving is found: of the edges, and of what
-# they lie in.
-_EDGES, _FORM = 0.7, 2.5
-# The direction where there are no edges is across the page, and so strong, in mean edges.
-_CALM = 0.02
+# Segments are so many times longer while the line grows. With 3, as elsewhere, strokes of one or
+# two pens have hardly any line until the last iterations.
+_COARSENING = 1.5
+# A line that is farther from the tone is corrected, at two mean spacings, and so many times.
+_NEAR_TONE, _CORRECTIONS = 0.01, 2
 # Parts that are cut out are left out where they are smaller, in squares of mean spacings, and
 # corridors between parts are so wide, in mean spacings.
 _LEAST_PART, _CORRIDOR = 4.0, 2.2
@@ -128,6 +130,10 @@ class Plan:
     def least_spacing(self) -> float:
         """In millimetres."""
         return self.spacing * float(self.share[self.kept].mean() / self.share.max())
+
+    def density_of(self, share: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The density of the problem for another share of ink, with the same mean spacing."""
+        return (share[self.kept] / self.share[self.kept].mean()) ** 2
 
 
 @dataclass(frozen=True)
@@ -305,6 +311,7 @@ def _options(wishes: Wishes, spacing: float) -> core.FlowOptions:
     options = core.default_options("even")
     options.radius = spacing / 2.0
     options.segment_length = SEGMENT * options.radius
+    options.tunings = options.tunings | {"growth_coarsening": _COARSENING}
     options.threads = wishes.threads
     options.variation = wishes.variation
     if wishes.style != "scribble":
@@ -330,21 +337,6 @@ def _directions(
     return np.column_stack([np.cos(angle), np.sin(angle), np.zeros(len(angle))])
 
 
-def form_angles(share: NDArray[np.float64], spacing: float) -> NDArray[np.float64]:
-    """The direction along the edges and forms of a picture at each place, in radians from the right
-    counterclockwise: the structure tensor's lesser one (Foerstner and Guelch 1987).
-
-    spacing   in cells
-    """
-    down, right = np.gradient(blurred(share, _EDGES * spacing))
-    up = -down
-    xx, xy, yy = (
-        blurred(product, _FORM * spacing) for product in (right * right, right * up, up * up)
-    )
-    yy = yy + _CALM * float((xx + yy).mean())
-    return 0.5 * np.arctan2(2.0 * xy, xx - yy) + np.pi / 2.0
-
-
 def layer_of(plan: Plan, flow: core.Flow, reason: str, wishes: Wishes) -> Layer:
     """What a run that has ended has drawn. Raises core.MeanderError."""
     curve = flow.polylines()
@@ -360,18 +352,6 @@ def layer_of(plan: Plan, flow: core.Flow, reason: str, wishes: Wishes) -> Layer:
     return Layer(plan, strands, reason, flow.statistics(), error, empty_of(flow.gaps()))
 
 
-def drawing_of(layers: Sequence[Layer], margin: float) -> Drawing:
-    """The strands of all layers on a page, in millimetres from its lower left corner."""
-    spacing = min(layer.plan.least_spacing for layer in layers)
-    strands = [moved(strand, margin) for layer in layers for strand in layer.strands]
-    return Drawing(strands, "mm", True, spacing)
-
-
-def moved(strand: Strand, margin: float) -> Strand:
-    """A strand of the sheet on a page with a margin."""
-    return replace(strand, points=strand.points + [margin, margin, 0.0])
-
-
 def draw(
     image: Image,
     wishes: Wishes,
@@ -382,7 +362,8 @@ def draw(
     """Draws a picture.
 
     mask     of any size, laid over the picture: no line where it is dark or transparent
-    run      runs a flow to its end and returns why it ended
+    run      runs a flow to its end and returns why it ended; again with another density, while the
+             line is far from its tone
     accept   is told what a run is expected to cost, and raises what it likes
 
     Raises FileError as plans_of() does, and core.MeanderError.
@@ -390,5 +371,23 @@ def draw(
     layers = []
     for plan in plans_of(image, wishes, mask):
         with open_flow(plan.problem, accept=accept).flow as flow:
-            layers.append(layer_of(plan, flow, run(flow), wishes))
+            layers.append(_drawn(plan, flow, run, wishes))
     return layers
+
+
+def _drawn(plan: Plan, flow: core.Flow, run: Callable[[core.Flow], str], wishes: Wishes) -> Layer:
+    """Runs a flow, and again for what its line lacks of the tone; the line that is nearest."""
+    layer, asked = layer_of(plan, flow, run(flow), wishes), plan.share
+    for _ in range(_CORRECTIONS):
+        error = layer.error
+        if error is None or error.two <= _NEAR_TONE or layer.reason != "converged":
+            break
+        ink = ink_of(layer.strands, wishes.line_width, plan.grid)
+        blur = 2.0 * plan.spacing / plan.grid.cell
+        asked = corrected(asked, plan.share, ink, blur, wishes.tone)
+        flow.set_density(plan.density_of(asked))
+        other = layer_of(plan, flow, run(flow), wishes)
+        if other.error is None or other.error.two >= error.two:
+            break
+        layer = other
+    return layer

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,8 @@ from ..options.option import Values
 from ..toolpaths import embroidery
 from ..toolpaths.drawing import Drawing
 from ..toolpaths.svg import page_pieces
-from .line import Layer, drawing_of, moved
+from ..toolpaths.toolpath import Strand
+from .line import Layer
 
 
 def pieces_of_page(
@@ -48,6 +50,18 @@ def pieces_of_page(
     colours = [layer.plan.colour for layer in layers]
     width = values["line_width"]
     return page_pieces(shown, sides, width, title, version, colours, drawing.moves)
+
+
+def drawing_of(layers: Sequence[Layer], margin: float) -> Drawing:
+    """The strands of all layers on a page, in millimetres from its lower left corner."""
+    spacing = min(layer.plan.least_spacing for layer in layers)
+    strands = [moved(strand, margin) for layer in layers for strand in layer.strands]
+    return Drawing(strands, "mm", True, spacing)
+
+
+def moved(strand: Strand, margin: float) -> Strand:
+    """A strand of the sheet on a page with a margin."""
+    return replace(strand, points=strand.points + [margin, margin, 0.0])
 
 
 def curve_of(drawing: Drawing) -> core.Polylines:
