@@ -94,6 +94,12 @@ inline constexpr double kAlignedPolish = 0.25, kMostAlignedPolish = 1.1;
 /// without.
 inline constexpr double kOverfull = 0.4, kHardlyOverfull = 0.7;
 
+/// Where a field's lines are equally far apart, rows of a full start are held straight in the polish: the scale of
+/// squared sines there, > 0, from the third of these on, in r along the strand from a turn; up to the second it is 1,
+/// as elsewhere. A turn is what lies across by more than 25 degrees, given as a squared sine. docs/decisions.md,
+/// "Straight rows".
+inline constexpr double kStraightRow = 0.017, kTurnEnds = 2, kRowBegins = 8, kSquareOfTurn = 0.18;
+
 // ---- Weights: the polish --------------------------------------------------------------------------------------------
 
 /// Strands that follow a field come to rest farther apart: by at most the first, in r, and by half of it at the second

@@ -11,6 +11,7 @@
 
 #include "flow/settings.h"
 #include "geodesic/surface_patches.h"
+#include "mesh/even_lines.h"
 #include "mesh/line_field.h"
 #include "mesh/normal_field.h"
 #include "mesh/radius_field.h"
@@ -83,12 +84,14 @@ struct Domain {
   Roughness roughness;
   double expected_length;     ///< of a curve that fills the surface: area over spacing
   LineField directions;       ///< that strands are to follow; may be empty
+  bool even_rows = false;     ///< they can, at one spacing all along; see has_even_lines
   std::shared_ptr<const BoundaryObstacle> boundary;
   std::shared_ptr<const SurfacePatches> patches;  ///< for MedialAxis::kGeodesic, else null
   std::shared_ptr<const NormalField> normals;     ///< of the given surface, found when they are asked for
 
  private:
   void look_at_scale(const FlowSettings& settings, ThreadPool& pool);
+  void look_at_lines();
 };
 
 /// More nodes than this are refused, for want of memory.

@@ -50,7 +50,8 @@ void Iteration::lay_in_empty(size_t trunks) {
   const Curve first = with_short_segments();
   FullStart laid = full_start(*domain.surface, first, trunks, domain.radius, domain.directions,
                               domain.patches.get(), given_.settings.boundary_distance, pool_,
-                              domain.asked_radius.varies(), given_.settings.variation);
+                              domain.asked_radius.varies() || (domain.even_rows && !domain.narrow),
+                              given_.settings.variation);
   figures_.laid = laid.laid_any();
   report_ = given_.start;
   if (plan_.phase == Phase::kStarting) {

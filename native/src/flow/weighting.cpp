@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "curve/curvature.h"
@@ -39,12 +40,42 @@ double square_across_field(const Weighting& w, uint32_t i) {
   return square > 0 ? std::clamp(1 - along * along / square, 0.0, 1.0) : 0;
 }
 
+/// How far along its strand, in the local r, every node is from the nearest turn.
+NodeData<double> ways_from_turns(const Weighting& w) {
+  const Curve& curve = w.state.curve;
+  NodeData<double> way(w.size(), std::numeric_limits<double>::infinity());
+  for (const Strand& strand : curve.strands) {
+    const auto step = [&](uint32_t i) {
+      return curve.has_segment(i) ? curve.shapes[i].length / w.state.metric.radius[i] : 0;
+    };
+    const uint32_t rounds = strand.closed ? 2 : 1;  // what comes before a closed strand's first node is its end
+    for (const bool back : {false, true}) {
+      double since = std::numeric_limits<double>::infinity();
+      for (uint32_t k = 0; k < rounds * strand.count; ++k) {
+        const uint32_t at = k % strand.count, i = strand.first + (back ? strand.count - 1 - at : at);
+        if (back) since += step(i);
+        if (square_across_field(w, i) > kSquareOfTurn) since = 0;
+        way[i] = std::min(way[i], since);
+        if (!back) since += step(i);
+      }
+    }
+  }
+  return way;
+}
+
+/// The squared sine at which what lies across the field counts less, in the polish of rows that were laid and can be as
+/// even as their lines, at this way from a turn.
+double scale_of_deviation(double way_from_turn) {
+  const double t = std::clamp((way_from_turn - kTurnEnds) / (kRowBegins - kTurnEnds), 0.0, 1.0);
+  return 1 / std::lerp(1.0, 1 / kStraightRow, t * t);
+}
+
 /// The field at the nodes, and how much it weighs there (eq. 11).
 ///
 /// Rows end in hairpins, and no weight changes that: pulled along the field, a tip only draws the strands beside it
-/// together. So what lies across counts by the robust error of Geman and McClure, s^2 / (1 + s^2) in place of s^2 for
-/// the sine s; its weight, the derivative by s^2, falls to a quarter at a right angle. Without a polish the term is
-/// eq. 11 as it stands.
+/// together. So what lies across counts by the robust error of Geman and McClure, s^2 / (c + s^2) in place of s^2 for
+/// the sine s and a scale c; its weight, the derivative by s^2, falls to a quarter at a right angle where c is 1, as at
+/// all turns: held straight up to their tips, these pinch. Without a polish the term is eq. 11 as it stands.
 void align(const Weighting& w) {
   w.weights.alignment.clear();
   w.weights.field.clear();
@@ -54,8 +85,15 @@ void align(const Weighting& w) {
   w.pool.for_blocks(w.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
       w.weights.field[i] = w.state.domain.directions.at(w.state.curve.nodes[i]);
-      const double robust = w.settings().polish ? 1 / (1 + square_across_field(w, i)) : 1;
-      w.weights.alignment[i] = robust * robust * w.settings().alignment_weight;
+    }
+  });
+  const bool straight = w.plan.polishing && w.settings().full_start && w.state.domain.even_rows;
+  const NodeData<double> way = straight ? ways_from_turns(w) : NodeData<double>();
+  w.pool.for_blocks(w.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
+    for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
+      const double scale = straight ? scale_of_deviation(way[i]) : 1;
+      const double robust = w.settings().polish ? scale / (scale + square_across_field(w, i)) : 1;
+      w.weights.alignment[i] = robust * robust * w.settings().alignment_weight / scale;
     }
   });
 }

@@ -10,6 +10,7 @@
 
 #include "base/elementary.h"
 #include "base/variation.h"
+#include "mesh/even_lines.h"
 #include "mesh/line_relaxation.h"
 #include "mesh/strips.h"
 #include "seed/guide_samples.h"
@@ -80,6 +81,24 @@ LineField completed(const Surface& surface, const LineField& field, const Radius
   LineField both = field;
   both.replace(smooth, [&](uint32_t f) { return without[surface.component(f)] != 0; });
   return both;
+}
+
+/// Of lines that are as long together as they are to be. Even rows stay as far apart as they are laid, so as many lines
+/// as there is room for divide the width across them.
+std::vector<StripeDistances> stripe_distances(const Surface& surface, const LineField& field, const RadiusField& radius,
+                                              const LineSpacing& spacing, double boundary_distance) {
+  std::vector<StripeDistances> distances(surface.component_count(),
+                                         {spacing.apart / spacing.full, 2 * boundary_distance + 1});
+  if (radius.varies()) return distances;
+  const std::vector<double> widths = widths_across(surface, field);
+  const double margin = 2 * boundary_distance - 1;
+  for (size_t k = 0; k < widths.size(); ++k) {
+    const double width = widths[k] / radius.most() - 2 * margin;
+    const bool known = widths[k] > 0;
+    const double apart = known ? width / std::max(std::round(width / spacing.apart), 1.0) : spacing.apart;
+    distances[k] = {apart, 0.5 * apart + margin};
+  }
+  return distances;
 }
 
 void add_boundary(const RadiusField& radius, LineNetwork& network) {
@@ -194,7 +213,7 @@ std::vector<LineTree> trees_to_walk(const Curve& first, size_t drawn, const std:
 
 FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
                      const LineField& field, const SurfacePatches* patches, double boundary_distance,
-                     ThreadPool& pool, bool density, uint32_t variation) {
+                     ThreadPool& pool, bool by_phase, uint32_t variation) {
   std::unique_ptr<const SurfacePatches> own;
   if (!patches) {
     own = std::make_unique<const SurfacePatches>(surface, radius, kClamp, pool);
@@ -215,9 +234,10 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   const CancelToken poll = pool.poll(kPieces);
   const LineField whole = completed(surface, field, radius, variation, poll);
   std::vector<std::vector<SurfacePoint>> first_lines;
-  if (density) {
-    const double apart = spacing.apart / spacing.full;  // they are as long together
-    const StripePhase phase(surface, whole, radius, apart, 2 * boundary_distance + 1, poll);
+  if (by_phase) {
+    const std::vector<StripeDistances> distances =
+        stripe_distances(surface, whole, radius, spacing, boundary_distance);
+    const StripePhase phase(surface, whole, radius, distances, poll);
     first_lines = level_lines(surface, phase, radius, spacing.step, poll);
     spacing.least = kLeastAlong;
   }

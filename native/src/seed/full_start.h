@@ -33,9 +33,9 @@ struct FullStart {
 
 /// Replaces the loops of a first curve, one in each region of the surface, by curves that fill them: lines along a
 /// field lie four radii apart, short links join them to a tree, and the curve walks round it on both sides. The lines
-/// are streamlines, or those of a StripePhase where r varies by a density. A strand that was drawn to grow is a trunk:
-/// it keeps its ends, its fixed nodes and its sides, and trees leave it on either one, wherever there is room beside
-/// it: one that fills its region stays as it is. Guides and the boundary are walls.
+/// are streamlines, or those of a StripePhase where r varies by a density and where rows can be even. A strand that was
+/// drawn to grow is a trunk: it keeps its ends, its fixed nodes and its sides, and trees leave it on either one,
+/// wherever there is room beside it: one that fills its region stays as it is. Guides and the boundary are walls.
 ///
 /// What cannot be laid without a crossing is left out where it is: a link, a tip, a line, and a strand stays as it was
 /// only where nothing else can be laid.
@@ -45,13 +45,14 @@ struct FullStart {
 /// `field`              where a component of the surface has none anywhere, a smooth one is taken
 /// `patches`            of this surface, about as large as r; null: they are found
 /// `boundary_distance`  of the last strand from the boundary, in local spacings
-/// `density`            r varies because that was asked for: lines begin and end one by one
+/// `by_phase`           lines are those of a StripePhase first: they begin and end one by one where r varies because
+///                      that was asked for, and are equally far apart where those of the field are
 /// `variation`          which of the curves of the same settings: a smooth field is turned, lines begin elsewhere, and
 ///                      they are joined otherwise
 ///
 /// Throws Failure(FailureKind::kCancelled) where the watch of the pool says so.
 FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
                      const LineField& field, const SurfacePatches* patches, double boundary_distance,
-                     ThreadPool& pool, bool density = false, uint32_t variation = 0);
+                     ThreadPool& pool, bool by_phase = false, uint32_t variation = 0);
 
 }  // namespace meander

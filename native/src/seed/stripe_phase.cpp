@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "base/elementary.h"
@@ -107,16 +108,17 @@ void relax_phase(const Couplings<Mirroring>& edges, const std::vector<Vec2>& hel
 /// What is known while the phase is found.
 class StripePhase::Relaxation {
  public:
-  Relaxation(const Surface& surface, const LineField& field, const RadiusField& radius, double apart,
-             StripePhase& phase, CancelToken poll)
-      : s_(surface), field_(field), radius_(radius), apart_(apart), phase_(phase), mesh_(phase.mesh_), poll_(poll) {}
+  Relaxation(const Surface& surface, const LineField& field, const RadiusField& radius,
+             std::span<const StripeDistances> distances, StripePhase& phase, CancelToken poll)
+      : s_(surface), field_(field), radius_(radius), distances_(distances), phase_(phase), mesh_(phase.mesh_),
+        poll_(poll) {}
 
-  void run(double from_boundary) {
+  void run() {
     divide(s_, radius_, mesh_, poll_);
     find_signs();
     look_at_faces();
     Couplings<Mirroring> edges = couplings();
-    std::vector<Vec2> held = holds(kWholeTurn * from_boundary / apart_);
+    std::vector<Vec2> held = holds();
     std::vector<PhaseLevel> levels;
     while (true) {
       Pairs<Mirroring> pairs(edges, poll_);
@@ -138,6 +140,7 @@ class StripePhase::Relaxation {
       values_ = std::move(finer);
       relax_phase(level.edges, level.held, k < kFinest ? kFineRounds : kRounds, values_, poll_);
     }
+    leave_vertices();
     find_crossings();
   }
 
@@ -149,6 +152,7 @@ class StripePhase::Relaxation {
     Vec2 turn;      // the unit number whose angle the rise is
   };
 
+  const StripeDistances& distances(uint32_t face) const { return distances_[s_.component(mesh_.origin(face))]; }
   SurfacePoint point(HalfEdge corner) const { return {mesh_.origin(mesh_.face(corner)), mesh_.at(corner)}; }
   Vec2 place(HalfEdge corner) const { return flat(s_, point(corner)); }
   /// Along a half-edge of a face, in the plane of the origin of that.
@@ -206,7 +210,8 @@ class StripePhase::Relaxation {
     const SurfacePoint middle{mesh_.origin(mesh_.face(h)), mesh_.at_share(h, 0.5)};
     Vec2 line = unit(field_.at(middle));
     if (dot(line, line_of_face) < 0) line = -line;
-    const double rise = kWholeTurn / (apart_ * radius_.at(s_, middle)) * dot(Vec2{0, 1} * line, to - from);
+    const double apart = distances(mesh_.face(h)).apart * radius_.at(s_, middle);
+    const double rise = kWholeTurn / apart * dot(Vec2{0, 1} * line, to - from);
     const Vec2 a = from - opposite, b = to - opposite;
     return {rise, std::max(0.5 * dot(a, b) / cross(a, b), kLeastWeight), turned_by(rise)};
   }
@@ -244,13 +249,15 @@ class StripePhase::Relaxation {
     return edges;
   }
 
-  /// Along the boundary, what holds vertices: `angle` is the phase there, outwards.
-  std::vector<Vec2> holds(double angle) {
+  /// Along the boundary, what holds vertices.
+  std::vector<Vec2> holds() {
     std::vector<Vec2> held(mesh_.vertex_count());
     for (HalfEdge h = 0; h < mesh_.half_edge_count(); ++h) {
       if (mesh_.face(h) == kNone || mesh_.face(RefinedSurface::opposite(h)) != kNone) continue;
       poll_();
       const Vec2 edge = unit(along(h));
+      const StripeDistances& d = distances(mesh_.face(h));
+      const double angle = kWholeTurn * d.from_boundary / d.apart;  // the phase at the boundary, outwards
       for (const HalfEdge corner : {h, mesh_.next(h)}) {
         const Vec2 here = line(corner);
         if (std::abs(dot(edge, here)) < kAlongBoundary) continue;
@@ -260,6 +267,15 @@ class StripePhase::Relaxation {
       }
     }
     return held;
+  }
+
+  /// Lines pass beside vertices, not through them: where one did, rounding would say which of the edges there it
+  /// crosses, and it would end.
+  void leave_vertices() {
+    constexpr double kBeside = 1e-6;
+    for (Vec2& value : values_) {
+      if (value.x > 0 && std::abs(value.y) < kBeside) value = {1, kBeside};
+    }
   }
 
   void find_crossings() {
@@ -288,7 +304,7 @@ class StripePhase::Relaxation {
   const Surface& s_;
   const LineField& field_;
   const RadiusField& radius_;
-  double apart_;
+  std::span<const StripeDistances> distances_;
   StripePhase& phase_;
   RefinedSurface& mesh_;
   CancelToken poll_;
@@ -298,10 +314,10 @@ class StripePhase::Relaxation {
   std::vector<Vec2> values_;  // per row
 };
 
-StripePhase::StripePhase(const Surface& surface, const LineField& field, const RadiusField& radius, double apart,
-                         double from_boundary, CancelToken poll)
+StripePhase::StripePhase(const Surface& surface, const LineField& field, const RadiusField& radius,
+                         std::span<const StripeDistances> distances, CancelToken poll)
     : mesh_(surface, true, poll) {
-  Relaxation(surface, field, radius, apart, *this, poll).run(from_boundary);
+  Relaxation(surface, field, radius, distances, *this, poll).run();
 }
 
 }  // namespace meander

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/cancel_token.h"
@@ -13,6 +14,11 @@
 #include "mesh/refined_surface.h"
 
 namespace meander {
+
+/// In r: of two lines, and of the first one from the boundary where the field runs along that.
+struct StripeDistances {
+  double apart, from_boundary;
+};
 
 /// Across the lines of a field the phase rises by a turn in `apart` local radii, as nearly as it can: where the wanted
 /// distance varies along the lines it cannot everywhere, and has singular faces, round which it rises by a turn. They
@@ -27,9 +33,9 @@ namespace meander {
 /// The surface, the field and the radius are used by the constructor only.
 class StripePhase {
  public:
-  /// `from_boundary`  of the first line, where the field runs along the boundary, in r
-  StripePhase(const Surface& surface, const LineField& field, const RadiusField& radius, double apart,
-              double from_boundary, CancelToken poll);
+  /// `distances`  on every component
+  StripePhase(const Surface& surface, const LineField& field, const RadiusField& radius,
+              std::span<const StripeDistances> distances, CancelToken poll);
 
   const RefinedSurface& mesh() const { return mesh_; }
   /// Whether the field has a direction in a face.
