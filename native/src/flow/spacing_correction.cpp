@@ -33,9 +33,12 @@ double median_spacing(const Curve& curve, const NodeData<Radii>& radii, const Lo
 double next_correction(const IterationPlan& plan, const FlowState& before, const NodeData<Radii>& radii) {
   const Domain& domain = before.domain;
   const double now = domain.correction;
-  // What is not corrected has nothing to take back, and in narrow parts r is that of the room.
+  // What is not corrected has nothing to take back, in narrow parts r is that of the room, and rows that were laid so
+  // that a whole number divides the width have no other distance.
   const bool takes_back = plan.correction == SpacingCorrection::kTakenBack;
-  if (plan.correction == SpacingCorrection::kKept || (takes_back && now == 1) || domain.whole_radius) return now;
+  const bool counted = domain.even_rows && before.settings.full_start;
+  const bool kept = plan.correction == SpacingCorrection::kKept || (takes_back && now == 1);
+  if (kept || domain.whole_radius || counted) return now;
   const double found = median_spacing(before.curve, radii, before.metric) / domain.rest * now;
   if (!(found > 0)) return now;
   const bool coarse = plan.segment_length > before.settings.segment_length;
