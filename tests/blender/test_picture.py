@@ -90,9 +90,9 @@ def test_what_is_no_picture_is_refused(tmp_path: Path) -> None:
 
 
 def test_the_command_reads_pictures_without_pillow(ramp: Path, tmp_path: Path, monkeypatch) -> None:
-    from meander.cli import picture
+    from meander.cli import place
 
-    monkeypatch.setattr(picture, "is_there", lambda: False)
+    monkeypatch.setattr(place, "is_there", lambda: False)
     out = tmp_path / "out.svg"
     words = ("--picture", ramp, "--width", 30, "--pen", 1.5, "--output", out, "--quiet")
     assert batch.main([str(word) for word in words]) == 0

@@ -30,8 +30,11 @@ def has_faces(thing: bpy.types.Object | None) -> bool:
     if thing is None or is_result(thing):
         return False
     if thing.type == "MESH":
-        # In Edit Mode the data is what it was before; modifiers may make faces of edges.
-        return bool(thing.data.polygons) or bool(thing.modifiers) or thing.mode == "EDIT"
+        # Edges alone are strands, but modifiers may make faces of them; in Edit Mode the data is what
+        # it was before. A mesh with neither is still one to fill, which will say what it lacks.
+        mesh = thing.data
+        no_strands = bool(mesh.polygons) or not mesh.edges
+        return no_strands or bool(thing.modifiers) or thing.mode == "EDIT"
     if thing.type != "CURVE":
         return thing.type in _OF_FACES
     curve = thing.data
