@@ -11,6 +11,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch
+from meander.cli import target_length
 from meander.cli.target_length import CLOSE, Search, tried
 from meander.cli.values import BadInput
 
@@ -50,8 +51,9 @@ def test_coarse_runs_come_first_and_mostly_one_whole_run(ball: Path, capsys) -> 
         runs = re.findall(r"at a spacing of (\S+) the curve is (\S+) long", said)
         assert 1 <= len(runs) <= 4
         whole += len(runs)
-        # The last of them is the one that is written: it is not made again.
-        assert float(runs[-1][1]) == pytest.approx(json.loads(report.read_text())["length"], 1e-5)
+        # One of them is the one that is written: it is not made again.
+        written = json.loads(report.read_text())["length"]
+        assert any(float(length) == pytest.approx(written, 1e-5) for _spacing, length in runs)
         assert said.count(" iterations and ") == 1
     assert whole <= 6
 
@@ -112,19 +114,39 @@ def test_the_search_needs_few_trials(power: float) -> None:
 
 
 def test_of_whole_runs_the_nearest_stays() -> None:
-    """Lengths that jump: the third run is the last but for the repeated best one."""
+    """Lengths that jump: the third run is the last, and no run is made again."""
     search = Search(100.0)
-    spacings, lengths = [1.0], [97.0, 103.0, 96.0, 97.0]
-    for length in lengths:
-        following = search.following(spacings[-1], length)
-        if following is None:
-            break
-        spacings.append(following)
-    assert len(spacings) == 4 and spacings[3] in spacings[:2]
+    spacing, nearest = 1.0, []
+    for length in (97.0, 102.0, 96.0):
+        nearest.append(search.is_nearest(spacing, length))
+        spacing = search.following
+    assert spacing is None and nearest == [True, True, False]
+    search = Search(100.0)
+    for length in (50.0, 200.0):
+        search.is_nearest(1.0, length)
     with pytest.raises(BadInput, match="no spacing gives a length of 100"):
-        search = Search(100.0)
-        for length in (50.0, 200.0, 60.0):
-            search.following(1.0, length)
+        search.is_nearest(1.0, 60.0)
+
+
+def test_the_nearest_of_the_whole_runs_is_written(ball: Path, monkeypatch, capsys) -> None:
+    """One that is not the last, with its own spacing."""
+    monkeypatch.setattr(target_length, "CLOSE", 0.0)
+    given = ["--input", ball, "--output", ball.with_name("a.obj"), "--target-length", "20"]
+    places = []
+    for unreachable in ("20", "25", "30"):
+        given[-1] = unreachable
+        report = ball.with_name("r.json")
+        assert batch.main([str(a) for a in (*given, "--report", report)]) == 0
+        said = capsys.readouterr().out
+        found = re.findall(r"at a spacing of (\S+) the curve is (\S+) long", said)
+        runs = [(float(spacing), float(length)) for spacing, length in found]
+        assert len(runs) == 3
+        nearest = min(runs, key=lambda run: abs(np.log(run[1] / float(unreachable))))
+        record = json.loads(report.read_text())
+        assert record["options"]["spacing"] == pytest.approx(nearest[0], rel=1e-5)
+        assert record["length"] == pytest.approx(nearest[1], rel=1e-5)
+        places.append(runs.index(nearest))
+    assert min(places) < 2  # else it would be the last by chance
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from .. import core
 from ..model import bundle, last_run, report, start, strands
@@ -61,10 +61,13 @@ def _run_through(arguments: argparse.Namespace, place: Place) -> None:
     if arguments.maps is not None:
         place.blender("--maps")
     search = target_length.begin(arguments, place)
-    filled = _filled(arguments, search, place, warned=False)
-    while filled is None:
-        filled = _filled(arguments, search, place, warned=True)
-    given, opened, grown, figures, record, empty = filled
+    filled = _nearest(arguments, search, place)
+    arguments.spacing, arguments.bending = filled.spacing, filled.bending
+    given, opened, grown, figures, record, empty = filled[:6]
+    if empty.matters and figures["stop_reason"] == "converged":  # which says more than is true
+        record["warnings"].append(_of_empty(empty, figures, given))
+        if not arguments.fail_on_gaps:  # which says it at the end
+            place.warn(record["warnings"][-1])
     write_outputs(arguments, given, grown, record, place)
     for line in _remarks(given, opened, figures, record, empty):
         place.say(f"meander: {line}")
@@ -75,11 +78,36 @@ def _run_through(arguments: argparse.Namespace, place: Place) -> None:
         raise GapsLeft(_of_empty(empty, figures, given))
 
 
+class Filled(NamedTuple):
+    """One run: what was read, opened and grown, the figures, the report as far as it goes, what is
+    empty, and the arguments that it had in the end."""
+
+    given: Input
+    opened: Opened
+    grown: Grown
+    figures: dict[str, Any]
+    record: dict[str, Any]
+    empty: Empty
+    spacing: float
+    bending: float | None
+
+
+def _nearest(
+    arguments: argparse.Namespace, search: target_length.Search | None, place: Place
+) -> Filled:
+    """The run that is asked for; of those of a search the one that comes nearest to its length."""
+    filled = _filled(arguments, search, place, warned=False)
+    assert filled is not None  # the first is the nearest
+    while search is not None and search.following is not None:
+        arguments.spacing = search.following
+        filled = _filled(arguments, search, place, warned=True) or filled
+    return filled
+
+
 def _filled(
     arguments: argparse.Namespace, search: target_length.Search | None, place: Place, warned: bool
-) -> tuple[Input, Opened, Grown, dict[str, Any], dict[str, Any], Empty] | None:
-    """One run: what was read, opened and grown, the figures, and the report as far as it goes; None
-    where `search` asks for another one, whose spacing is then in the arguments.
+) -> Filled | None:
+    """One run; None where an earlier one of `search` was nearer.
 
     warned   what there is to warn of has been said
     """
@@ -113,8 +141,11 @@ def _filled(
             # Not all that has grown, or another line.
             if line is not grown or arguments.leave_out_guides or arguments.round:
                 figures["length"] = length_of(line)
-            if search is not None and _asks_again(search, figures["length"], arguments, place):
-                return None
+            if search is not None:
+                length, at = figures["length"], arguments.spacing
+                place.say(f"meander: at a spacing of {at:.6g} the curve is {length:.6g} long")
+                if not search.is_nearest(at, length):
+                    return None
             gaps = _gaps_of(flow, opened, place)
             record = report.build_report(
                 core.library_version(),
@@ -126,15 +157,12 @@ def _filled(
             )
             images = maps.images_of(flow, arguments, given, place)
             grown = replace(grown, cut=cut.cut_of(flow, arguments), images=images)
-    empty = empty_of(gaps)
-    if empty.matters and figures["stop_reason"] == "converged":  # which says more than is true
-        warnings.append(_of_empty(empty, figures, given))
-        if not arguments.fail_on_gaps:  # which says it at the end
-            place.warn(warnings[-1])
     record["mirror"] = of_mirror
     record["warnings"] = warnings
     _complete(record, arguments, given, opened, grown, figures)
-    return given, opened, grown, figures, record, empty
+    return Filled(
+        given, opened, grown, figures, record, empty_of(gaps), arguments.spacing, arguments.bending
+    )
 
 
 def _gaps_of(flow: core.Flow, opened: Opened, place: Place) -> core.Gaps:
@@ -149,17 +177,6 @@ def _warnings_of(given: Input) -> list[str]:
     warnings = [*given.warnings, *core.option_warnings(given.problem.options)]
     library = core.library_notice()
     return [library, *warnings] if library else warnings
-
-
-def _asks_again(
-    search: target_length.Search, length: float, arguments: argparse.Namespace, place: Place
-) -> bool:
-    """Whether a search for a length needs another run, whose spacing is then in the arguments."""
-    place.say(f"meander: at a spacing of {arguments.spacing:.6g} the curve is {length:.6g} long")
-    following = search.following(arguments.spacing, length)
-    if following is not None:
-        arguments.spacing = following
-    return following is not None
 
 
 def _complete(

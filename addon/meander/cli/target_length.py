@@ -55,30 +55,30 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
 
 
 class Search:
-    """Whole runs at one spacing after the other, until the curve is as long as asked for."""
+    """Whole runs at one spacing after the other, until the curve is as long as asked for.
+
+    following   the spacing of the next run, after one; None: the nearest of them stays
+    """
 
     def __init__(self, wanted: float) -> None:
         self.wanted = wanted
         self.trials: Trials = []
-        self._settled = False
+        self.following: float | None = None
 
-    def following(self, spacing: float, length: float) -> float | None:
-        """The spacing of the next run, after one; None: that one stays.
+    def is_nearest(self, spacing: float, length: float) -> bool:
+        """Notes what a run has come to, and says whether no earlier one has come nearer.
 
         Raises BadInput where no run came near.
         """
-        if self._settled:
-            return None
         self.trials.append((spacing, length))
-        if _distance(length, self.wanted) <= CLOSE:
-            return None
-        if len(self.trials) < _MOST_RUNS:
-            return next_spacing(self.trials, self.wanted)
-        self._settled = True
-        found, length = _nearest(self.trials, self.wanted)
-        if _distance(length, self.wanted) > _NEAR:
-            raise BadInput(_refusal(self.wanted, found, length))
-        return None if found == spacing else found
+        found, nearest = _nearest(self.trials, self.wanted)
+        away = _distance(nearest, self.wanted)
+        self.following = None
+        if away > CLOSE and len(self.trials) < _MOST_RUNS:
+            self.following = next_spacing(self.trials, self.wanted)
+        elif away > _NEAR:
+            raise BadInput(_refusal(self.wanted, found, nearest))
+        return (found, nearest) == (spacing, length)
 
 
 def begin(arguments: argparse.Namespace, place: Place) -> Search | None:
