@@ -34,7 +34,7 @@ build_packages=(ca-certificates ccache cmake ninja-build g++ pkgconf python3 pyt
   "${header_packages[@]}" libgtest-dev)
 # Debian's Blender runs on the system's Python but does not depend on numpy, which the add-on needs.
 # Pillow reads pictures for the command without Blender.
-blender_packages=(blender python3-numpy python3-pil python3-pytest libegl1 libgl1 libgl1-mesa-dri xvfb xauth)
+blender_packages=(blender git make python3-numpy python3-pil python3-pytest libegl1 libgl1 libgl1-mesa-dri xvfb xauth)
 # A JavaScript engine of half a megabyte, in which the job type for Flamenco is tested.
 job_packages=(duktape)
 farm_packages=(slurmctld slurmd slurm-client munge)
