@@ -184,7 +184,7 @@ if $all; then
   beside suite bytes 2400 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_same_bytes.sh
   beside suite web 2400 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_web.sh
 fi
-$all || beside suite page 900 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_web.sh --story
+$all || beside check page 900 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_web.sh --story
 profile core
 beside suite core 900 "${in_profile[@]}" \
   /usr/bin/python3 -m pytest -q -p no:cacheprovider "${for_machines[@]/#/--ignore=}" tests/core
