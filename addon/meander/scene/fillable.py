@@ -30,8 +30,8 @@ def has_faces(thing: bpy.types.Object | None) -> bool:
     if thing is None or is_result(thing):
         return False
     if thing.type == "MESH":
-        # Edges alone are strands, but modifiers may make faces of them; in Edit Mode the data is what
-        # it was before. A mesh with neither is still one to fill, which will say what it lacks.
+        # Edges alone are strands, but modifiers may make faces of them; in Edit Mode the data is
+        # what it was before. A mesh with neither is one to fill, which will say what it lacks.
         mesh = thing.data
         no_strands = bool(mesh.polygons) or not mesh.edges
         return no_strands or bool(thing.modifiers) or thing.mode == "EDIT"
