@@ -10,7 +10,7 @@ import bpy
 
 from ..model.stages import stages_of
 from ..scene import drawn_line
-from ..scene.bake import Frames
+from ..scene.bake import Frames, go_to, places_of
 from ..scene.evaluated import matrix_of
 from ..scene.meshes import triangles_of
 from ..scene.transforms import to_local
@@ -64,27 +64,24 @@ def bake_motion(
             follower = follower_of(result, scene, depsgraph, rounding)
             sticks = settings.motion == "STICK"
             numbers, places, offsets = [], [], None
-            places_a_frame = settings.motion_subframes + 1
-            for place in range((last - first) * places_a_frame + 1):
-                frame, part = divmod(place, places_a_frame)
-                frame, subframe = first + frame, part / places_a_frame
-                scene.frame_set(frame, subframe=subframe)
+            for frame in places_of(first, last, settings.motion_subframes):
+                go_to(scene, frame)
                 depsgraph = context.evaluated_depsgraph_get()
                 vertices, faces = triangles_of(settings.surface, depsgraph)
                 matrix = matrix_of(settings.surface, depsgraph)
                 curve = follower.moved(vertices, faces)
                 if sticks:
-                    numbers.append(frame + subframe)
+                    numbers.append(frame)
                     places.append(to_local(curve.positions, matrix))
                     offsets = curve.offsets
-                elif part == 0:
-                    frames.add(frame, curve, matrix, follower.factors)
-                show((frame + subframe - first + 1) / (last - first + 1))
+                elif frame == int(frame):
+                    frames.add(int(frame), curve, matrix, follower.factors)
+                show((frame - first + 1) / (last - first + 1))
             if sticks:
                 frames.add_sticking(numbers, places, offsets)
     finally:
         settings.follow = follow
-        scene.frame_set(int(present // 1), subframe=present % 1)
+        go_to(scene, present)
     return frames.collection
 
 

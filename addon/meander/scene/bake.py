@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import cycle
 
 import bpy
@@ -218,30 +219,38 @@ def on_output() -> None:
             pass_on_look(thing)
 
 
+def places_of(first: int, last: int, subframes: int) -> Iterator[float]:
+    """The frames from one to another, and so many places between two of them, each as a frame."""
+    for place in range((last - first) * (subframes + 1) + 1):
+        frame, part = divmod(place, subframes + 1)
+        yield first + frame + part / (subframes + 1)
+
+
+def go_to(scene: bpy.types.Scene, frame: float) -> None:
+    """Shows a frame, or a place between two."""
+    scene.frame_set(int(frame // 1), subframe=frame % 1)
+
+
 def frames_of(
     result: bpy.types.Object, context: bpy.types.Context, first: int, last: int
 ) -> list[tuple[float, list[toolpath.Strand]]]:
     """The baked frames of a result from one to another, each with its strands, and what sticks in
     the places between them that were baked; none where nothing is baked. Raises DataError."""
     scene, settings = context.scene, result.meander
-    bake, present = settings.bake, scene.frame_current
-    places_a_frame = settings.motion_subframes + 1 if settings.motion == "STICK" else 1
+    bake, present = settings.bake, scene.frame_current_final
+    subframes = settings.motion_subframes if settings.motion == "STICK" else 0
     if bake is None:
         return []
     frames = []
     try:
-        for place in range((last - first) * places_a_frame + 1):
-            frame, part = divmod(place, places_a_frame)
-            frame, subframe = first + frame, part / places_a_frame
-            scene.frame_set(frame, subframe=subframe)
+        for frame in places_of(first, last, subframes):
+            go_to(scene, frame)
             depsgraph = context.evaluated_depsgraph_get()
             # The keys of an object's visibility reach the object with the frame.
             for shown in (each for each in bake.objects if not each.hide_render):
-                frames.append(
-                    (frame + subframe, point_attributes.strands_of_frame(result, shown, depsgraph))
-                )
+                frames.append((frame, point_attributes.strands_of_frame(result, shown, depsgraph)))
     finally:
-        scene.frame_set(present)
+        go_to(scene, present)
     return frames
 
 

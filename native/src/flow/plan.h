@@ -20,7 +20,7 @@ enum class Phase {
   kCooling          ///< a few iterations with short steps, so that nothing is left in mid-leap
 };
 
-/// What becomes of the correction of r by how far apart strands come to be; see corrected().
+/// What becomes of the correction of r by how far apart strands come to be; see next_correction().
 enum class SpacingCorrection {
   kKept,
   kSought,    ///< it follows what strands come to with long segments

@@ -9,7 +9,7 @@
 namespace meander {
 namespace {
 
-/// Where strands of these settings come to rest if what are as stiff as the presets', and follow nothing, come to
+/// Where strands of these settings come to rest if those that are as stiff as the presets' and follow nothing rest at
 /// `free`.
 double rest_of(const FlowSettings& settings, double free, bool directed) {
   const double stiffness =
