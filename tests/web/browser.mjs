@@ -43,7 +43,8 @@ export const state = () => page.evaluate(() => ({ ...document.body.dataset }));
 export const text = (id) => page.locator(`#${id}`).textContent();
 export const until = (what, argument) => page.waitForFunction(what, argument, { timeout: 120000, polling: 50 });
 export const done = () => until(() => document.body.dataset.run === "done");
-export const running = () => until(() => document.body.dataset.run === "running" && document.body.dataset.pictures > 0);
+/** A picture of the line is there; the run may have ended since, where the page draws more slowly than it computes. */
+export const pictured = () => until(() => document.body.dataset.pictures > 0);
 export const shot = (name) => PICTURES && page.screenshot({ path: path.join(PICTURES, `${name}.png`) });
 
 /** Sets sliders and choices as a person does, all of them before the page hears of one. */

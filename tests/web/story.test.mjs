@@ -7,13 +7,13 @@ import fs from "node:fs";
 import path from "node:path";
 import test from "node:test";
 import {
-  asked, atPicture, complaints, done, drop, load, page, profile, refill, refused, running, saved, sheet, shot, state, text,
+  asked, atPicture, complaints, done, drop, load, page, pictured, profile, refill, refused, saved, sheet, shot, state, text,
   until,
 } from "./browser.mjs";
 
 test("a surface is there, and its line grows", async () => {
   await load();
-  await running();
+  await pictured();
   const { mesh, least } = await state();
   assert.equal(mesh, "torus.obj");
   await shot("first");
