@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .core import CutSurface, Flow, Seed, library_version, unknown_name
-from .model import before_writing, export
+from .model import before_writing, export, sheets
 from .model import cut as cut_files
 from .model.files import meshes
 from .model.files.obj import read_obj_curve, write_obj_curve
@@ -18,7 +18,8 @@ from .model.files.whole import FileError, whole_file
 from .model.options.export import ROWS
 from .model.options.option import Option
 from .model.toolpaths import ros, toolpath
-from .model.toolpaths.drawing import VIEWS, axes_of, seen_along
+from .model.toolpaths.drawing import VIEWS, Drawing, axes_of, seen_along
+from .model.toolpaths.sheets import MARGIN, Paper
 
 # What write_curve takes, by its suffix.
 _CURVES = (".obj", *toolpath.SUFFIXES, *export.SUFFIXES)
@@ -55,6 +56,8 @@ def write_curve(
     step: float | None = None,
     tolerance: float | None = None,
     frame_id: str = ros.FRAME,
+    sheet: tuple[float, float] | None = None,
+    sheet_margin: float = MARGIN,
     **drawing: Any,
 ) -> None:
     """Writes the curve of a flow in the format of the file's suffix.
@@ -68,6 +71,8 @@ def write_curve(
                 triangles are not known
     tolerance   as few points as keep the chords between them this near the curve
     frame_id    the frame of reference that a .yaml of ROS names
+    sheet, sheet_margin   width and height, and the white on all sides, in millimetres: a flat .svg,
+                .dxf or G-code is also written in sheets of paper, NAME_r1c1 and so on
     drawing     of all but .obj, .csv, .json and .npz, named as the flags of the command are: layout
                 ("space", "top", "front", "side"), unit ("mm", "cm", "in"), scale, size, line_width,
                 feed, travel_feed, lift, layer_offset, layers, layer_height, extrusion, tool,
@@ -82,11 +87,12 @@ def write_curve(
     _refuse(path, step, tolerance)
     suffix, kind = export.suffix_of(path), export.format_of(path)
     values = drawing_values(suffix, kind, drawing)
+    paper = _paper(sheet, sheet_margin)
+    if paper is not None and not export.takes_sheets(kind, values):
+        raise FileError("sheet is for a flat .svg, .dxf or G-code; choose such a file and layout")
     if kind is not None and export.lacks_plane(kind, values):
         raise FileError('arcs lie in a plane; choose a layout that is flat, such as "top"')
     if suffix == ".obj":
-        if step is not None or tolerance is not None:
-            raise FileError("an .obj file has the whole curve; leave out step and tolerance")
         write_obj_curve(path, flow.polylines())
         return
     strands = toolpath.strands_of(flow.polylines(), flow.point_data())
@@ -98,12 +104,37 @@ def write_curve(
         return
     spacing = float(flow.statistics()["spacing_target"])
     drawn = export.prepared(strands, kind, values, metres=1.0, spacing=spacing)
+    _refuse_unusable(drawn, kind, values)
+    if paper is not None:
+        sheets.write(path, kind, drawn, values, paper, library_version())
+    title = path.name[: -len(suffix)]
+    export.write(path, kind, drawn, values, title, library_version(), frame_id=frame_id)
+
+
+def _refuse_unusable(drawn: Drawing, kind: export.Format, values: dict[str, Any]) -> None:
     problem = before_writing.unusable(drawn, kind, values)
     if problem is not None:
         way = "choose another layout" if problem.edge else "choose a size or scale"
         raise FileError(f"the drawing {problem.what}; {way}, or force=True")
-    title = path.name[: -len(suffix)]
-    export.write(path, kind, drawn, values, title, library_version(), frame_id=frame_id)
+
+
+def _paper(sides: Any, margin: Any) -> Paper | None:
+    """The sheets that are asked for; None: none are."""
+    if sides is None:
+        return None
+    try:
+        width, height = (float(side) for side in sides)
+        found = Paper(width, height, float(margin))
+    except (TypeError, ValueError):
+        raise FileError(
+            f"sheet {sides!r} with a sheet_margin of {margin!r} is no paper; give width and "
+            "height, and the margin, in millimetres"
+        ) from None
+    if not (np.isfinite([width, height]).all() and found.margin >= 0.0 and found.has_room):
+        raise FileError(
+            f"a sheet_margin of {margin!r} leaves nothing of a sheet of {sides!r}; choose others"
+        )
+    return found
 
 
 def _refuse(path: Path, step: float | None, tolerance: float | None) -> None:
@@ -113,6 +144,8 @@ def _refuse(path: Path, step: float | None, tolerance: float | None) -> None:
         )
     if step is not None and tolerance is not None:
         raise FileError("step and tolerance are both given; choose one")
+    if export.suffix_of(path) == ".obj" and not (step is None and tolerance is None):
+        raise FileError("an .obj file has the whole curve; leave out step and tolerance")
     for name, length in (("step", step), ("tolerance", tolerance)):
         if length is not None and not length > 0.0:
             raise FileError(f"{name} {length!r} is not greater than 0")

@@ -79,6 +79,36 @@ def test_what_is_unrolled_begins_as_large_as_a_page(result):
     assert dialog(file_format="SVG", size=50.0).size == 50.0
 
 
+def test_a_drawing_comes_in_sheets_of_the_page(result, tmp_path) -> None:
+    opened = dialog(file_format="SVG", size=400.0)
+    assert "sheet" not in opened._size
+    opened.in_sheets = True
+    opened.check(bpy.context)
+    assert opened._size.endswith(", 6 sheets of paper")
+    panel = Layout()
+    opened.layout = panel
+    opened.draw(bpy.context)
+    assert "Sheets of Paper" in [each.text for each in panel.texts()]
+    opened.in_sheets, opened.size = True, 1e4
+    opened.check(bpy.context)
+    assert opened._is_refused and "more than 1,000" in opened._size
+    path = tmp_path / "line.svg"
+    export_curve = bpy.ops.meander.export_toolpath
+    assert export_curve(filepath=str(path), layout_as="UV", size=400, in_sheets=True) == {
+        "FINISHED"
+    }
+    names = {f"line_r{row}c{column}.svg" for row in (1, 2) for column in (1, 2, 3)}
+    assert {each.name for each in tmp_path.iterdir()} == names | {"line.svg"}
+    pages = [(tmp_path / name).read_text() for name in names]
+    assert all('width="210mm" height="297mm"' in text for text in pages)
+    # A drawing in space has no sheets, and those of one that is refused are not written.
+    opened = dialog(file_format="DXF", layout_as="SPACE", in_sheets=True)
+    assert "sheet" not in opened._size
+    with pytest.raises(RuntimeError, match="more than 1,000"):
+        export_curve(filepath=str(tmp_path / "a.svg"), layout_as="UV", size=9999, in_sheets=True)
+    assert not list(tmp_path.glob("a*"))
+
+
 @pytest.mark.parametrize(
     "sides, longest", [((1, 1), 180.0), ((3, 1), 267.0), ((1, 3), 267.0), ((1.2, 1), 216.0)]
 )

@@ -126,6 +126,14 @@ TRIES = """
 --resample-step 1
 --part-length 1
 --output out.csv --part-overlap 1
+--output out.csv --sheet a4
+--output out.dxf --sheet a4
+--output out.svg --sheet a0
+--output out.svg --sheet-margin 9
+--output out.svg --sheet a4 --sheet-margin 105
+--output out.svg --sheet 2x2 --sheet-margin 0.5
+--output - --output-format svg --sheet a4
+--output head.gcode --layout top --sheet a4 --header head_r1c1.gcode
 --output out.csv --part-length 1 --part-overlap 1
 --poses
 --output out.csv --standoff 1
@@ -182,7 +190,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "plain.obj").write_text(points)
     (folder / "branch.obj").write_text(points + "l 1 2 3\nl 2 4\n")
     (folder / "twice.obj").write_text(points + "l 1 2\nl 2 1\n")
-    for name in ("shot.blend", "a.fbx", "line.ply", "head.txt"):
+    for name in ("shot.blend", "a.fbx", "line.ply", "head.txt", "head_r1c1.gcode"):
         (folder / name).write_text("x")
     (folder / "hold.txt").write_text("M117 Hold!")
     (folder / "folder.obj").mkdir()
@@ -283,6 +291,7 @@ def others(folder: Path) -> list[str]:
 ELSEWHERE = {
     "With Symmetry": "needs a surface that is its own mirror image: test_mirror.py",
     "The curve and its mirror image": "the same",
+    "leaves nothing of a sheet": "refused before by the command: test_sheets.py",
     "are available; choose ": "needs a machine without memory: test_memory_limit.py",
     "cannot be written to; choose another": "needs a user without rights: test_whole_files.py",
     "is protected against writing": "the same",

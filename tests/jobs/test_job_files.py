@@ -452,6 +452,19 @@ def test_images_lie_in_the_folder_of_the_job_and_count_as_written(items, refused
     assert folder.key_of(other) != key
 
 
+def test_sheets_of_a_drawing_count_as_written(items, job) -> None:
+    (job.folder / "leaf.obj").write_text("")
+    text = SPACING + '[[items]]\ninput = "leaf.obj"\noutput = "{name}.svg"\nlayout = "top"\n'
+    (item,) = items(text + 'sheet = "a4"\n')
+    folder = Folder(job.results)
+    folder.make([item])
+    for name in ("_r1c1.svg", "_r12c3.svg", "_r0c1.svg", "_r1c1.dxf"):
+        (job.results / f"{item.name}{name}").write_text("")
+    assert set(folder._sizes_of(item)) == {f"{item.name}_r1c1.svg", f"{item.name}_r12c3.svg"}
+    (other,) = items(text + 'sheet = "a3"\n')
+    assert folder.key_of(other) != folder.key_of(item)
+
+
 def test_in_a_folder_that_was_deleted_there_is_a_sentence(tmp_path, monkeypatch, capsys) -> None:
     (tmp_path / "gone").mkdir()
     monkeypatch.chdir(tmp_path / "gone")

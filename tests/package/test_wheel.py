@@ -308,7 +308,9 @@ def test_what_cannot_be_written_is_one_sentence(installed: Environment) -> None:
         "    ('a.csv', {'step': 0}), ('a.csv', {'layout': 'top'}), ('a.svg', {'feed': 1}),\n"
         "    ('a.svg', {'layout': 'uv'}), ('a.svg', {'visible_only': True}),\n"
         "    ('a.svg', {'colour': 1}), ('a.svg', {'scale': -1}), ('a.svg', {'scale': 'big'}),\n"
-        "    ('nowhere/a.obj', {}), ('a.gcode', {'arcs': 0.1}),\n"
+        "    ('nowhere/a.obj', {}), ('a.gcode', {'arcs': 0.1}), ('a.dxf', {'sheet': (90, 90)}),\n"
+        "    ('a.svg', {'sheet': 'a4'}), ('a.svg', {'sheet': (90, 90), 'sheet_margin': 45}),\n"
+        "    ('a.svg', {'sheet': (90, 90), 'sheet_margin': 44.9}),\n"
         "):\n"
         "    try:\n"
         "        meander.write_curve(name, flow, **given)\n"
@@ -321,12 +323,16 @@ def test_what_cannot_be_written_is_one_sentence(installed: Environment) -> None:
         "    print(refusal)\n"
         "meander.write_cut('cut.ply', meander.cut_surface(flow), 0.2)\n"
         "print(len(meander.read_mesh('cut.ply')[1]) > 20)\n"
+        "meander.write_curve('in.svg', flow, size=300, sheet=(200, 200), sheet_margin=20)\n"
     )
     done = installed.run(installed.python, "-c", script)
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines() == [
         "a.stl is no .obj or .ply file; choose another suffix", "True"
     ]
+    sheets = {path.name for path in installed.work.glob("in_*")}
+    assert {"in_r1c1.svg", "in_r2c1.svg", "in_r2c2.svg"} <= sheets
+    assert not list(installed.work.glob("a*.svg")) and not list(installed.work.glob("a*.dxf"))
     assert not list(installed.work.glob("a.*")) and not list(installed.work.glob(".*.tmp*"))
 
 

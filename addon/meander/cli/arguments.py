@@ -28,6 +28,7 @@ from . import (
     motion,
     preparation,
     quality,
+    sheets,
     standard,
     strands,
     target_length,
@@ -226,6 +227,8 @@ def _check_outputs(arguments: argparse.Namespace) -> None:
         if path.exists() and not os.access(target, os.W_OK):
             raise BadInput(f"{option} {path} is protected against writing; choose another name")
         for other, other_path in taken.items():
+            if option == "--output" and sheets.may_write(arguments, other_path):
+                raise BadInput(f"--sheet would overwrite {other} {other_path}; choose another name")
             # A scene may be saved over itself: it still holds all that was in it.
             scene = option == "--output" and other == "--input" and path.suffix == ".blend"
             if not scene and are_one(target, other_path):

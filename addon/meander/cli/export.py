@@ -18,7 +18,7 @@ from ..model.options.export import GROUP, ROWS
 from ..model.toolpaths import embroidery, ros, toolpath, usd
 from ..model.toolpaths.drawing import UNITS, Drawing, axes_of, seen_along
 from ..model.toolpaths.order import Order
-from . import flags
+from . import flags, sheets
 from .input import Input
 from .place import Place
 from .values import BadInput, file_name
@@ -57,6 +57,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--layout-map", metavar="NAME", help="the UV map of --layout uv; default: the active one"
     )
+    sheets.add_options(group)
 
 
 def problem_of(arguments: argparse.Namespace) -> str | None:
@@ -95,6 +96,9 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
         return "--arcs lie in a plane; give a --layout that is flat, such as top, or leave them out"
     if arguments.layout_map is not None and arguments.layout != "uv":
         return "--layout-map needs --layout uv"
+    of_sheets = sheets.problem_of(arguments, kind, _values(arguments))
+    if of_sheets is not None:
+        return of_sheets
     for option, wanted in (("begin-at", arguments.begin_at), ("go-on-from", arguments.go_on_from)):
         if wanted is None:
             continue
@@ -135,6 +139,7 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
     }
     of_file = kind is not None and arguments.input.suffix.lower() != ".blend"
     return found | {
+        **sheets.echo(arguments),
         "layout_map": arguments.layout_map,
         "frame_id": arguments.frame_id or ros.FRAME if kind and kind.name == "ROS" else None,
         "header": None if arguments.header is None else str(arguments.header),
@@ -234,6 +239,7 @@ def write(
     named = (head, foot, arguments.frame_id or ros.FRAME)
     export.write(path, kind, drawing, values, title, core.library_version(), *named)
     place.say(f"meander: {drawing.described()}")
+    of_sheets = sheets.write(arguments, kind, drawing, values, head, foot, place)
     short = len(strands) - len(drawing.strands)
     if short and order.go_on is None:
         place.warn(f"{short} strands are shorter than a stitch and are left out")
@@ -248,6 +254,7 @@ def write(
         "length": drawing.length,
         "crossings": len(places) if drawing.flat else None,
         "crossing_places": places[:_MOST_PLACES].tolist(),
+        "sheets": of_sheets,
     }
 
 

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NoReturn
 
+from ..model.camera import PAPERS
 from ..model.preparation import Share
 
 
@@ -20,6 +21,9 @@ class BadInput(Exception):
 # What begins with a dash and is meant as a number. argparse knows -1 and -.5 but takes -1e-7 for an
 # option that there is not.
 _NEGATIVE = re.compile(r"-(\.?\d|(inf|infinity|nan)$)", re.IGNORECASE)
+
+# The sides of a sheet of paper.
+_SIDES = re.compile(r"(\d+(?:\.\d+)?)x(\d+(?:\.\d+)?)")
 
 
 class Parser(argparse.ArgumentParser):
@@ -73,6 +77,19 @@ def reader(
         return value
 
     return read
+
+
+def paper(text: str) -> tuple[float, float]:
+    """Width and height of a sheet of paper in millimetres, by its name or its sides."""
+    named, sides = PAPERS.get(text.lower()), _SIDES.fullmatch(text.lower())
+    if named is not None:
+        return named
+    if sides is None or not all(1.0 <= float(side) <= 1e5 for side in sides.groups()):
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is no paper; choose from {', '.join(PAPERS)}, or give its sides in "
+            "millimetres, such as 200x300"
+        )
+    return float(sides[1]), float(sides[2])
 
 
 def share_or(read: Callable[[str], float]) -> Callable[[str], float]:

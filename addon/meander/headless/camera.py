@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import re
 import sys
 import time
 from collections.abc import Callable, Sequence
@@ -16,7 +15,7 @@ from ..cli.exit_code import exit_code_of
 from ..cli.flags import add_flags
 from ..cli.limits import add_options as add_limits
 from ..cli.limits import refuse_large
-from ..cli.values import BadInput, Parser, index, reader
+from ..cli.values import BadInput, Parser, index, paper, reader
 from ..model.camera import PAPERS, SPACING, Page
 from ..model.estimate import described
 from ..model.options.export import LINE_WIDTH
@@ -36,20 +35,6 @@ _TONE_TEXT = (
     "With --tone the lamps of the scene say how dark it is where, and the spacing is the width of "
     "the line over that, in place of --spacing."
 )
-_SIZE = re.compile(r"(\d+(?:\.\d+)?)x(\d+(?:\.\d+)?)")
-
-
-def _paper(text: str) -> tuple[float, float]:
-    """Width and height in millimetres."""
-    named, size = PAPERS.get(text.lower()), _SIZE.fullmatch(text.lower())
-    if named is not None:
-        return named
-    if size is None or not all(1.0 <= float(side) <= 1e5 for side in size.groups()):
-        raise argparse.ArgumentTypeError(
-            f"{text!r} is no paper; choose from {', '.join(PAPERS)}, or give its sides in "
-            "millimetres, such as 200x300"
-        )
-    return float(size[1]), float(size[2])
 
 
 def parser() -> Parser:
@@ -72,7 +57,7 @@ def parser() -> Parser:
     )
     add(
         "--paper",
-        type=_paper,
+        type=paper,
         default=PAPERS["a4"],
         metavar="NAME|WxH",
         help=f"{', '.join(PAPERS)}, or its sides in millimetres; default: a4",

@@ -150,7 +150,7 @@ class Folder:
     def _sizes_of(self, item: Item) -> dict[str, int]:
         """The size of every file of an item that is there, in bytes."""
         sizes: dict[str, int] = {}
-        for path in (*item.written, *item.images):
+        for path in (*item.written, *item.more):
             with contextlib.suppress(OSError):
                 sizes[os.path.relpath(path, self.path)] = path.stat().st_size
         return sizes

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from ..cli.arguments import files_read
+from ..model import sheets
 from ..model.files.whole import why_no_file
 from ..model.image_files import is_of
 from . import job_file, options
@@ -63,12 +64,18 @@ class Item:
         return [*self.written, self.log, *of_images]
 
     @property
-    def images(self) -> list[Path]:
-        """The images of its maps that are there, whose number the UV map decides."""
-        maps = self.options.maps
-        if maps is None or not maps.parent.is_dir():
-            return []
-        return sorted(path for path in maps.parent.iterdir() if is_of(maps, path))
+    def more(self) -> list[Path]:
+        """Files that are there of which the run decides how many there are: images of its maps,
+        sheets of its drawing."""
+        found: list[Path] = []
+        for of_run, name in ((is_of, self.options.maps), (sheets.is_of, self._of_sheets)):
+            if name is not None and name.parent.is_dir():
+                found += sorted(path for path in name.parent.iterdir() if of_run(name, path))
+        return found
+
+    @property
+    def _of_sheets(self) -> Path | None:
+        return None if self.options.sheet is None else self.options.output
 
 
 def items_of(job: JobFile, meshes: Meshes, summary: Path | None = None) -> list[Item]:

@@ -245,6 +245,11 @@ def takes_frames(kind: Format | None) -> bool:
     return kind is not None and kind.name == "USD"
 
 
+def takes_sheets(kind: Format | None, values: Values) -> bool:
+    """Whether a drawing can be parted into sheets of paper."""
+    return kind is not None and "arc_tolerance" in kind.options and is_flat(kind, values)
+
+
 def lacks_plane(kind: Format, values: Values) -> bool:
     """Whether arcs are asked for, which lie in a plane, of a drawing that does not."""
     asked = "arc_tolerance" in kind.options and values["arc_tolerance"] > 0.0

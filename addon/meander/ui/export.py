@@ -15,6 +15,7 @@ from ..model.files.whole import FileError
 from ..model.geometry import surface_crossings
 from ..model.toolpaths import embroidery, ros, toolpath, usd
 from ..model.toolpaths.drawing import Drawing
+from ..model.toolpaths.sheets import MARGIN
 from ..run import rounding
 from ..run.lasting import Activity
 from ..scene import drawn_line
@@ -31,21 +32,6 @@ from .refusing import refusing, sentence_of
 
 _TABLES = {suffix[1:].upper(): suffix for suffix in toolpath.SUFFIXES}
 _SUFFIXES = _TABLES | {kind.name: kind.suffixes[0] for kind in export.FORMATS}
-
-
-# Settings that mean nothing for other tools.
-_OF_TOOLS = {
-    "lift": ("PEN", "SPINDLE"),
-    "power": ("LASER", "SPINDLE"),
-    "servo_down": ("SERVO",),
-    "servo_up": ("SERVO",),
-}
-# Those of a brush that is dipped.
-_OF_BRUSH = ("dip_x", "dip_y", "dip_height")
-
-
-# On all sides of the page for which the size of an unrolled drawing is chosen, in millimetres.
-_MARGIN = 15.0
 
 
 class _Refused(NamedTuple):
@@ -149,11 +135,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
         if kind is not None and len(results_of(context)) > 1:
             layout.prop(self, "selected")
         for setting in () if kind is None else kind.options:
-            if setting == "visible_only" and not export.is_seen(kind, self.layout_as.lower()):
-                continue
-            if self.tool not in _OF_TOOLS.get(setting, (self.tool,)):
-                continue
-            if setting in _OF_BRUSH and not self.dip_every:
+            if not self.matters(setting, kind):
                 continue
             row = layout.row()
             row.active = setting != "scale" or self.size == 0.0
@@ -162,6 +144,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
                 result = result_of(context)
                 surface = result.meander.surface
                 layout.prop_search(self, "uv_map", surface.data, "uv_layers")
+        if export.takes_sheets(kind, self.option_values()):
+            layout.prop(self, "in_sheets")
         row = layout.row()
         row.active = any(drawn_line.tolerance_of(each) for each in self._chosen(context))
         row.prop(self, "round_turns")
@@ -247,8 +231,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
         if kind is None:
             text, warning = self._write_table(path, context)
         else:
-            drawing = self._write_drawing(path, kind, context)
-            text = drawing.described()
+            drawing, of_sheets = self._write_drawing(path, kind, context)
+            text = drawing.described() + of_sheets
             warning = before_writing.crossing_warning(drawing, kind, self.option_values())
         becomes = f"{given.name} becomes " if given.suffix not in ("", path.suffix) else ""
         self.report({"INFO"}, f"{becomes}{path.name}: {text}")
@@ -266,7 +250,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
             self.size = 0.0
             sides = self._sides(context) if on_page else None
             if sides is not None:
-                self.size = round(before_writing.size_on_page(sides, page_size(), _MARGIN), 1)
+                self.size = round(before_writing.size_on_page(sides, page_size(), MARGIN), 1)
                 if self.unit == "in":
                     self.size = round(self.size / 25.4, 3)
             self._by_page = self.size
@@ -282,12 +266,13 @@ class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
         try:
             laid = self._laid_out(kind, values, context)
             drawing = export.sized(laid, kind, values, metres_of(context.scene))
+            size = drawing.size_text() + self.number_of_sheets(kind, drawing)
         except (DataError, core.MeanderError, FileError) as error:
             self._is_refused = True
             return sentence_of(error)
         problem = before_writing.unusable(drawing, kind, values)
         self._is_refused = problem is not None
-        return drawing.size_text() if problem is None else sentence_of(problem.what)
+        return size if problem is None else sentence_of(problem.what)
 
     def _take_format_of_name(self) -> None:
         """A known suffix says what the format is."""
@@ -319,7 +304,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
 
     def _write_drawing(
         self, path: Path, kind: export.Format, context: bpy.types.Context
-    ) -> Drawing:
+    ) -> tuple[Drawing, str]:
+        """What it has written, and what to say of sheets."""
         values, title = self.option_values(), result_of(context).name
         if export.lacks_plane(kind, values):
             raise FileError("Arcs lie in a plane; choose a Layout that is flat")
@@ -352,17 +338,16 @@ class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
         if problem is not None:
             way = "choose another Layout" if problem.edge else "choose a Size or Scale"
             raise FileError(f"The drawing {problem.what}; {way}, or Write Anyway")
-        head, foot = (
-            export.lines_of(Path(bpy.path.abspath(name))) if name else None
-            for name in (self.header, self.footer)
-        )
-        export.write(path, kind, drawing, values, title, core.VERSION, head, foot, self.frame_id)
-        return drawing
+        ends = (self.lines_in(self.header), self.lines_in(self.footer))
+        of_sheets = self.written_sheets(path, kind, drawing, *ends)
+        export.write(path, kind, drawing, values, title, core.VERSION, *ends, self.frame_id)
+        return drawing, of_sheets
 
 
 # What a refused dialog hands on; where it was and which files are listed, Blender knows.
 _KEPT = frozenset(
     {"filepath", "file_format", "resample", "step", "tolerance", "selected", "header", "footer"}
+    | {"in_sheets"}
     | {"uv_map", "frame_id", "animated", "round_turns"}
     | set(ExportOptions.__annotations__)
 )

@@ -4,17 +4,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import bpy
 import numpy as np
+from bpy.props import BoolProperty
 
 from .. import core
-from ..model import before_writing, export
+from ..model import before_writing, export, sheets
 from ..model.files.whole import FileError
 from ..model.options.export import ROWS
 from ..model.toolpaths import toolpath
-from ..model.toolpaths.drawing import axes_of, seen_along
+from ..model.toolpaths.drawing import Drawing, axes_of, seen_along
+from ..model.toolpaths.sheets import Paper, number_of
 from ..scene.errors import DataError
 from ..scene.layouts import axes_of_view, has_map, unrolled_strands
 from ..scene.meshes import triangles_of
@@ -22,6 +25,17 @@ from ..scene.points import strands_of_result
 from ..scene.visible import visible_strands
 from .declared import declared
 from .on_result import result_of
+from .preferences import page_size
+
+# Settings that mean nothing for other tools.
+_OF_TOOLS = {
+    "lift": ("PEN", "SPINDLE"),
+    "power": ("LASER", "SPINDLE"),
+    "servo_down": ("SERVO",),
+    "servo_up": ("SERVO",),
+}
+# Those of a brush that is dipped.
+_OF_BRUSH = ("dip_x", "dip_y", "dip_height")
 
 BY_NAME = {kind.name: kind for kind in export.FORMATS}
 
@@ -48,7 +62,54 @@ class ExportOptions:
 class ExportedLines(ExportOptions):
     """What an operator with these options, and with the properties of the dialog, writes."""
 
+    in_sheets: BoolProperty(
+        name="Sheets of Paper",
+        description="Write the drawing also in sheets as large as the page in the preferences of "
+        "the add-on, with marks where they meet: NAME_r1c1 and so on, by row and column",
+        default=False,
+    )
+
     _view = None  # from which the dialog was opened
+
+    def matters(self, setting: str, kind: export.Format) -> bool:
+        """Whether a setting of a format means something beside the others."""
+        if setting == "visible_only" and not export.is_seen(kind, self.layout_as.lower()):
+            return False
+        if setting in _OF_BRUSH and not self.dip_every:
+            return False
+        return self.tool in _OF_TOOLS.get(setting, (self.tool,))
+
+    def lines_in(self, name: str) -> list[str] | None:
+        """The lines of a file of G-code that was chosen; None: none was."""
+        return export.lines_of(Path(bpy.path.abspath(name))) if name else None
+
+    def _paper(self, kind: export.Format) -> Paper | None:
+        """The sheets that are wanted."""
+        wanted = self.in_sheets and export.takes_sheets(kind, self.option_values())
+        return Paper(*page_size(), turns=True) if wanted else None
+
+    def number_of_sheets(self, kind: export.Format, drawing: Drawing) -> str:
+        """How many sheets a drawing takes, behind its size. Raises FileError for too many."""
+        paper = self._paper(kind)
+        if paper is None:
+            return ""
+        number = number_of(drawing, paper)
+        return f", {number} sheet{'s' * (number != 1)} of paper"
+
+    def written_sheets(
+        self,
+        path: Path,
+        kind: export.Format,
+        drawing: Drawing,
+        head: Sequence[str] | None,
+        foot: Sequence[str] | None,
+    ) -> str:
+        """Writes the sheets of a drawing where they are wanted, and says so."""
+        paper, values = self._paper(kind), self.option_values()
+        if paper is None:
+            return ""
+        done = sheets.write(path, kind, drawing, values, paper, core.VERSION, head, foot)
+        return f"; {sheets.described(path, done)}"
 
     def _chosen(self, context: bpy.types.Context) -> list[bpy.types.Object]:
         return results_of(context) if self.selected else [result_of(context)]

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,6 +33,17 @@ _FLAT = 1e-3
 _FAR = 100.0
 
 
+class Page(NamedTuple):
+    """A sheet of paper with its lower left corner at the origin, in the unit of what is on it.
+
+    sides   width and height
+    marks   strands that show where it meets other sheets
+    """
+
+    sides: tuple[float, float]
+    marks: Sequence[Strand]
+
+
 @dataclass(frozen=True)
 class Drawing:
     """Strands in the unit of a file.
@@ -43,6 +55,7 @@ class Drawing:
     frames  of a curve that moves: times and strands, in the order of time; empty: it does not
     rate    how many times are a second
     of_scene_unit   how long a scene unit is, in the unit
+    page    the sheet of paper that a flat one lies on; None: one that is as large as it is
     """
 
     strands: Sequence[Strand]
@@ -54,6 +67,7 @@ class Drawing:
     frames: Sequence[tuple[float, Sequence[Strand]]] = ()
     rate: float = 24.0
     of_scene_unit: float = 1.0
+    page: Page | None = None
 
     @property
     def millimetres(self) -> float:

@@ -8,7 +8,7 @@ readers pass over.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from .drawing import Drawing, number
 from .toolpath import Strand
 
 LAYER = "MEANDER"
+_MARKS = f"{LAYER}_MARKS"
 _UNIT_CODES = {"mm": 4, "cm": 5, "in": 1}
 _DECIMALS = {"mm": 6, "cm": 7, "in": 8}
 _AXES = (10, 20, 30)
@@ -27,8 +28,11 @@ _CLOSED, _IN_SPACE, _VERTEX_IN_SPACE = 1, 8, 32
 def dxf_pieces(drawing: Drawing) -> Iterator[str]:
     """The file's text, in pieces: pairs of lines, a group code and its value."""
     low, high = drawing.box()
+    marks: Sequence[Strand] = ()
+    if drawing.page is not None:
+        low, high, marks = np.zeros(3), np.array([*drawing.page.sides, 0.0]), drawing.page.marks
     decimals = _DECIMALS[drawing.unit]
-    layers = list(dict.fromkeys(map(_layer_of, drawing.strands)))
+    layers = [_MARKS] * bool(marks) + list(dict.fromkeys(map(_layer_of, drawing.strands)))
     yield _lines(
         (0, "SECTION"),
         (2, "HEADER"),
@@ -56,23 +60,33 @@ def dxf_pieces(drawing: Drawing) -> Iterator[str]:
         (0, "SECTION"),
         (2, "ENTITIES"),
     )
-    kind = 0 if drawing.flat else _IN_SPACE
+    for mark in marks:
+        yield from _polyline(mark, None, _MARKS, drawing)
     for place, strand in enumerate(drawing.strands):
-        layer = _layer_of(strand)
-        begin = [(0, "POLYLINE"), (8, layer), (66, 1), *_place((0.0, 0.0, 0.0), decimals)]
-        yield _lines(*begin, (70, kind | (_CLOSED if strand.closed else 0)))
-        if drawing.moves is None:
-            pairs = [(0, "VERTEX"), (8, layer)]
-            pairs += [(code, f"%.{decimals}r") for code in _AXES]
-            if not drawing.flat:
-                pairs.append((70, _VERTEX_IN_SPACE))
-            yield from rows(_lines(*pairs), strand.points)
-        else:
-            for point, bulge in _bulged(drawing.moves[place], strand.closed):
-                pairs = [(0, "VERTEX"), (8, layer), *_place(point, decimals)]
-                yield _lines(*pairs, *([(42, number(bulge, 9))] if bulge else []))
-        yield _lines((0, "SEQEND"), (8, layer))
+        moves = None if drawing.moves is None else drawing.moves[place]
+        yield from _polyline(strand, moves, _layer_of(strand), drawing)
     yield _lines((0, "ENDSEC"), (0, "EOF"))
+
+
+def _polyline(
+    strand: Strand, moves: Moves | None, layer: str, drawing: Drawing
+) -> Iterator[str]:
+    """The entity of a strand, through its points or along moves."""
+    decimals = _DECIMALS[drawing.unit]
+    kind = 0 if drawing.flat else _IN_SPACE
+    begin = [(0, "POLYLINE"), (8, layer), (66, 1), *_place((0.0, 0.0, 0.0), decimals)]
+    yield _lines(*begin, (70, kind | (_CLOSED if strand.closed else 0)))
+    if moves is None:
+        pairs = [(0, "VERTEX"), (8, layer)]
+        pairs += [(code, f"%.{decimals}r") for code in _AXES]
+        if not drawing.flat:
+            pairs.append((70, _VERTEX_IN_SPACE))
+        yield from rows(_lines(*pairs), strand.points)
+    else:
+        for point, bulge in _bulged(moves, strand.closed):
+            pairs = [(0, "VERTEX"), (8, layer), *_place(point, decimals)]
+            yield _lines(*pairs, *([(42, number(bulge, 9))] if bulge else []))
+    yield _lines((0, "SEQEND"), (8, layer))
 
 
 def _lines(*pairs: tuple[int, str | int]) -> str:

@@ -20,6 +20,7 @@ from ..files.whole import FileError
 from ..geometry.arcs import Moves
 from .brush import Brush
 from .drawing import Drawing, number, ring
+from .toolpath import Strand
 
 # What a comment may hold. Some controllers look for commands in whatever comes along the wire: Grbl
 # holds at ! and goes on at ~, in comments too, and takes bytes beyond ASCII for commands.
@@ -144,7 +145,7 @@ def gcode_pieces(
     writer = _Writer(drawing, motion)
     words = writer.words
     brush = Brush(motion.dip_every / drawing.millimetres) if motion.dip_every > 0.0 else None
-    layers = [_offset(drawing, motion, layer) for layer in range(motion.layers)]
+    layers = [_offset(drawing.strands, drawing, motion, layer) for layer in range(motion.layers)]
     writer.safe = max(float(way[:, 2].max()) for ways in layers for way in ways)
     if brush is not None:
         writer.safe = max(writer.safe, motion.dip_height / drawing.millimetres)
@@ -159,6 +160,10 @@ def gcode_pieces(
     if motion.extrusion > 0.0:
         writer.line("M83 ; relative extrusion")
     writer.begin()
+    marks = () if drawing.page is None else _offset(drawing.page.marks, drawing, motion, 0)
+    for place, way in enumerate(marks, start=1):
+        writer.line(f"; mark {place}")
+        yield from writer.follow(way, None)
     for layer, ways in enumerate(layers, start=1):
         for place, (way, strand) in enumerate(zip(ways, drawing.strands)):
             if strand.part and (place or layer > 1):
@@ -179,11 +184,13 @@ def gcode_pieces(
     yield writer.taken()
 
 
-def _offset(drawing: Drawing, motion: Motion, layer: int) -> list[np.ndarray]:
-    """Every strand as the tool follows it in a layer."""
+def _offset(
+    strands: Sequence[Strand], drawing: Drawing, motion: Motion, layer: int
+) -> list[np.ndarray]:
+    """Strands of a drawing as the tool follows them in a layer."""
     distance = (motion.layer_offset + layer * motion.layer_height) / drawing.millimetres
     ways = []
-    for strand in drawing.strands:
+    for strand in strands:
         normals = np.vstack([strand.normals, strand.normals[:1]])[: len(ring(strand))]
         ways.append(ring(strand) + distance * normals)
     return ways

@@ -41,13 +41,18 @@ def _path_of(moves: Moves, shift: np.ndarray, decimals: int) -> str:
 
 
 def _path(
-    place: int, strand: Strand, moves: Moves | None, shift: np.ndarray, decimals: int
+    place: int,
+    strand: Strand,
+    moves: Moves | None,
+    shift: np.ndarray,
+    decimals: int,
+    what: str = "strand",
 ) -> Iterator[str]:
     """The element of a strand, through its points or along moves."""
     x = strand.points[:, 0] + shift[0]
     y = shift[1] - strand.points[:, 1]
     point = f"%.{decimals}r %.{decimals}r"
-    yield f'<path id="strand{place}" d="'
+    yield f'<path id="{what}{place}" d="'
     yield from rows(f"M{point}", x[:1], y[:1])
     if moves is not None:
         yield _path_of(moves, shift, decimals)
@@ -119,8 +124,8 @@ def svg_pieces(
 ) -> Iterator[str]:
     """The file's text, in pieces.
 
-    drawing      flat
-    line_width   in millimetres, and the margin on all sides
+    drawing      flat; the marks of its page are a layer of their own
+    line_width   in millimetres, and the margin on all sides of what has no page
     title        what the picture is of
 
     One unit of the file's coordinates is one unit of the drawing, and its size on paper says so
@@ -128,13 +133,24 @@ def svg_pieces(
     """
     decimals = _DECIMALS[drawing.unit]
     width = line_width / drawing.millimetres
-    low, high = drawing.box()
-    sides = [number(side + 2.0 * width, decimals) for side in (high - low)[:2]]
+    if drawing.page is None:
+        low, high = drawing.box()
+        shift = np.array([width - low[0], high[1] + width])
+        page = (high - low)[:2] + 2.0 * width
+        marks: Sequence[Strand] = ()
+    else:
+        page, marks = drawing.page
+        shift = np.array([0.0, page[1]])
+    sides = [number(side, decimals) for side in page]
     inkscape = ""
-    if any(strand.part for strand in drawing.strands):
+    if marks or any(strand.part for strand in drawing.strands):
         inkscape = _INKSCAPE
     yield _head(sides, drawing.unit, inkscape, width, title, version)
-    shift = np.array([width - low[0], high[1] + width])
+    if marks:
+        yield _layer("marks")
+        for place, mark in enumerate(marks, start=1):
+            yield from _path(place, mark, None, shift, decimals, "mark")
+        yield "</g>\n"
     for place, strand in enumerate(drawing.strands, start=1):
         if strand.part:  # a layer, as Inkscape and what reads its files have them
             yield _layer(f"part {strand.part}")
