@@ -19,7 +19,6 @@ from scenes import (
     packing,
     points_of,
     poly_curve,
-    refused,
     sphere,
 )
 
@@ -97,42 +96,6 @@ def test_geometry_nodes_that_make_curves_only_say_what_to_do():
     activate(thing)
     with pytest.raises(RuntimeError, match="shows curves only.*Curve to Mesh"):
         bpy.ops.meander.run()
-
-
-def test_instances_say_what_to_do():
-    collection = bpy.data.collections.new("Stones")
-    collection.objects.link(cube())
-    empty = bpy.data.objects.new("Stones", None)
-    empty.instance_type, empty.instance_collection = "COLLECTION", collection
-    bpy.context.scene.collection.objects.link(empty)
-    activate(empty)
-    with pytest.raises(RuntimeError, match="Make Instances Real"):
-        bpy.ops.meander.run()
-    surface = mesh_object("Copies", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
-    tree = bpy.data.node_groups.new("Copies", "GeometryNodeTree")
-    if hasattr(tree, "interface"):
-        kinds = {"socket_type": "NodeSocketGeometry"}
-        tree.interface.new_socket(name="Geometry", in_out="INPUT", **kinds)
-        tree.interface.new_socket(name="Geometry", in_out="OUTPUT", **kinds)
-    else:
-        tree.inputs.new("NodeSocketGeometry", "Geometry")
-        tree.outputs.new("NodeSocketGeometry", "Geometry")
-    given, taken = tree.nodes.new("NodeGroupInput"), tree.nodes.new("NodeGroupOutput")
-    copies = tree.nodes.new("GeometryNodeInstanceOnPoints")
-    block = tree.nodes.new("GeometryNodeMeshCube")
-    tree.links.new(given.outputs[0], copies.inputs["Points"])
-    tree.links.new(block.outputs["Mesh"], copies.inputs["Instance"])
-    tree.links.new(copies.outputs[0], taken.inputs[0])
-    surface.modifiers.new("Copies", "NODES").node_group = tree
-    assert "Realize Instances" in refused(surface)
-    # With faces of its own it is filled, and what is left out is said.
-    both = tree.nodes.new("GeometryNodeJoinGeometry")
-    tree.links.new(given.outputs[0], both.inputs[0])
-    tree.links.new(copies.outputs[0], both.inputs[0])
-    tree.links.new(both.outputs[0], taken.inputs[0])
-    assert "Realize Instances" in fill(surface, 0.2).meander.figures.preparation
-    surface.modifiers.clear()
-    assert not fill(surface, 0.2).meander.figures.preparation
 
 
 # ------------------------------------------------------------------------------------------------

@@ -253,7 +253,7 @@ def _remarks(
     told.append(start.remark(figures))
     told.append(strands.fit_warning(figures, given.parts))
     told.append(strands.fit_remark(figures, given.parts, given.problem.options.radius))
-    told.append(described(opened.figures, given.loose_edges, given.has_instances))
+    told.append(described(opened.figures, given.loose_edges, given.instances))
     if record["bridges"]["count"]:
         length = f"{record['bridges']['length']:.3g}"
         told.append(bridges.described(record["bridges"]["count"], length))

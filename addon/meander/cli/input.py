@@ -28,7 +28,7 @@ class Input:
     repair: Repair = field(default_factory=Repair)
     mask: Mask = field(default_factory=Mask)
     loose_edges: int = 0
-    has_instances: bool = False
+    instances: tuple[int, bool] = (0, False)
     fixed_ends: bool = False
     stroke: tuple[list[float], list[float]] | None = None  # its ends
     parts: list[strands.Part] = field(default_factory=list)  # what the seed is put together from

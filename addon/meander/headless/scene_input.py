@@ -18,8 +18,8 @@ from ..scene.alignment import angle_source_of, directions_of
 from ..scene.curve_reader import strands_of_curve
 from ..scene.density import choice_of, density_of
 from ..scene.errors import DataError
-from ..scene.evaluated import matrix_of
-from ..scene.fillable import has_faces, shows_instances, why_not_this
+from ..scene.evaluated import instances_of, matrix_of
+from ..scene.fillable import has_faces, why_not_this
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import in_polygons as renumbered
 from ..scene.meshes import loose_edge_count, polygons_of, triangles_of
@@ -67,7 +67,7 @@ def _read_scene(arguments: argparse.Namespace) -> Input:
         mended = preparation.repair_of(arguments).options(problem.vertices, arguments.spacing / 2)
         problem.surface_options = surface_options(mended, given.mask, surface_object, depsgraph)
     given.loose_edges = loose_edge_count(surface_object, depsgraph)
-    given.has_instances = shows_instances(surface_object, depsgraph)
+    given.instances = instances_of(surface_object, depsgraph)
     radius = arguments.spacing / 2
     alignment = given.alignment = terms.alignment_of(arguments)
     if arguments.direction_angle is not None:

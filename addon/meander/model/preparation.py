@@ -110,13 +110,13 @@ def _count(number: int, one: str, many: str) -> str:
 
 
 def described(
-    figures: Mapping[str, Any], loose_edges: int = 0, has_instances: bool = False
+    figures: Mapping[str, Any], loose_edges: int = 0, instances: tuple[int, bool] = (0, False)
 ) -> str:
     """What was done to a mesh, in words; empty if nothing was.
 
     figures        of core.Surface.statistics(); with "skipped_outlines", of Surface.outlines()
     loose_edges    of the mesh, in no face
-    has_instances  whether it shows instances besides, which are no part of it
+    instances      how many it consists of, and whether it shows some that are no part of it
     """
     figures = dict(figures)
     figures["dropped_faces"] -= figures["doubled_faces"]
@@ -144,7 +144,11 @@ def described(
         parts.append(f"left out {count} of the outline, which had no room")
     if loose_edges:
         parts.append(f"ignored {_count(loose_edges, 'loose edge', 'loose edges')}")
-    if has_instances:
+    filled, left_out = instances
+    if filled:
+        by_itself = ", each by itself" if filled > 1 else ""
+        parts.append(f"filled {_count(filled, 'instance', 'instances')}{by_itself}")
+    if left_out:
         parts.append("left out instances, which a Realize Instances node would make part of it")
     return ", ".join(parts)
 

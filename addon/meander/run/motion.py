@@ -25,7 +25,7 @@ from ..scene import bake
 from ..scene.curve_reader import strands_of_curve
 from ..scene.drawn_line import seen_instead
 from ..scene.errors import DataError
-from ..scene.evaluated import is_evaluated
+from ..scene.evaluated import instances_of, is_evaluated
 from ..scene.identity import number_of
 from ..scene.look import modifier_of
 from ..scene.meshes import surface_now, triangles_of
@@ -182,10 +182,11 @@ def follower_of(
                 "Stick, or fill the surface without Bridge Parts"
             )
         return EvenFollower(plan_of(result, scene, depsgraph), settings.motion_steps, rounding)
-    if is_evaluated(settings.surface, depsgraph):
-        vertices, faces, _matrix = surface_now(settings.surface, depsgraph)
+    surface = settings.surface
+    if is_evaluated(surface, depsgraph) and not instances_of(surface, depsgraph)[0]:
+        vertices, faces, _matrix = surface_now(surface, depsgraph)
     else:
-        vertices, faces = triangles_of(settings.surface, depsgraph)
+        vertices, faces = triangles_of(surface, depsgraph)
     drawn = seen_instead(result) if rounding else None
     data = result.data if drawn is None else drawn.data
     own = strands_of_curve(result, depsgraph, of_data=None if drawn is None else data)

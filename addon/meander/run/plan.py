@@ -27,8 +27,8 @@ from ..scene import strands as scene_strands
 from ..scene.alignment import alignment_of, directions_of
 from ..scene.density import choice_of, chosen_density, density_of, unused_paint
 from ..scene.errors import DataError
-from ..scene.evaluated import evaluated_once, matrix_of
-from ..scene.fillable import shows_instances, why_not
+from ..scene.evaluated import evaluated_once, instances_of, matrix_of
+from ..scene.fillable import why_not
 from ..scene.home_scene import HomeScene
 from ..scene.identity import Key
 from ..scene.linked_settings import settings_of
@@ -62,7 +62,7 @@ class Plan:
     name: str  # of a new result
     from_surface: bool = True  # the surface was filled; else a result goes on or starts over
     loose_edges: int = 0  # of the surface, in no face
-    has_instances: bool = False  # the surface shows some besides its own faces
+    instances: tuple[int, bool] = (0, False)  # that the surface consists of; whether others show
     keeps_guides: bool = True  # the result has the guides as splines of its own
     radius_follows: bool = False  # a density makes the curve thinner where it is closer
     density_group: str = ""  # the vertex group that the spacing follows
@@ -157,7 +157,7 @@ def _plan_of(
         materials=materials,
         name=f"{(settings.seed or surface).name} Meander",
         loose_edges=loose_edge_count(surface, depsgraph),
-        has_instances=shows_instances(surface, depsgraph),
+        instances=instances_of(surface, depsgraph),
         keeps_guides=settings.keep_guides,
         density_group=choice.name if choice.source == "GROUP" else "",
         region=region,

@@ -43,7 +43,7 @@ def preparation_text(plan: Plan, stepper: Stepper) -> str:
     """What was done to the mesh, in words; empty if nothing was."""
     if not stepper.surface_figures:
         return ""
-    done = described(stepper.surface_figures, plan.loose_edges, plan.has_instances)
+    done = described(stepper.surface_figures, plan.loose_edges, plan.instances)
     return ", ".join(filter(None, (done, plan.remark)))
 
 

@@ -98,6 +98,15 @@ def make_poly(curves: bpy.types.Curves) -> None:
     curves.add_curves([])
 
 
+def add_geometry_socket(tree: bpy.types.GeometryNodeTree, way: str) -> None:
+    """Gives a tree of Geometry Nodes a socket for a geometry; way is INPUT or OUTPUT."""
+    kind = "NodeSocketGeometry"
+    if hasattr(tree, "interface"):  # from 4.0 on
+        tree.interface.new_socket(name="Geometry", in_out=way, socket_type=kind)
+    else:
+        (tree.inputs if way == "INPUT" else tree.outputs).new(kind, "Geometry")
+
+
 def shape_key_points(key: bpy.types.ShapeKey) -> Any:
     """The points of a curve's shape key, of all its splines one after another.
 

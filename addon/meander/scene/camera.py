@@ -15,7 +15,7 @@ from ..model.camera import CameraPage, Page
 from ..model.geometry.clipped_mesh import Triangles
 from .attributes import corner_counts, vertices_of_corners
 from .errors import DataError
-from .evaluated import surface_mesh
+from .evaluated import instances_of, surface_mesh
 from .fillable import has_faces, is_result
 from .identity import Key
 from .rendered import rendering_of
@@ -137,6 +137,8 @@ def _surfaces(
             yield owner.name, mesh, Key(owner), owner
     # A copy as rendered is made only once nobody goes through the graph any more.
     for owner in others:
+        if instances_of(owner, depsgraph)[0]:
+            continue  # which are there already
         with surface_mesh(owner, depsgraph) as (mesh, matrix):
             triangles = _triangles_of_mesh(mesh, matrix)
         yield owner.name, triangles, Key(owner), owner

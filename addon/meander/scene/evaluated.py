@@ -11,9 +11,10 @@ from typing import NamedTuple
 import bpy
 import numpy as np
 
+from . import instances
 from .changes import shape_count
 from .errors import DataError
-from .fillable import has_faces, why_not_this
+from .fillable import has_faces, shows_collection, shows_instances, why_not_this
 from .identity import number_of
 from .rendered import RenderedCopies, Rendering, rendering_of
 from .transforms import world_matrix
@@ -32,6 +33,7 @@ def evaluated_copy(
     depsgraph: bpy.types.Depsgraph,
     with_data: bool,
     as_rendered: bool = False,
+    nodes: bpy.types.NodeTree | None = None,
 ) -> Iterator[Evaluation]:
     """A visible copy of the object in a scene of its own, for as long as the block lasts.
 
@@ -42,6 +44,7 @@ def evaluated_copy(
 
     with_data    the data is copied too; update `depsgraph` of the result after changing it
     as_rendered  it has what a render shows instead of what the views show
+    nodes        Geometry Nodes that it has after all its modifiers; None: it has none besides
 
     Raises DataError where the frame hides the object.
     """
@@ -57,6 +60,8 @@ def evaluated_copy(
         if with_data:
             data = object.data.copy()
             copy.data = data
+        if nodes is not None:
+            copy.modifiers.new("Nodes", "NODES").node_group = nodes
         members = [copy]
         if as_rendered:
             scene.render.simplify_subdivision = shown.render.simplify_subdivision_render
@@ -115,16 +120,80 @@ def surface_mesh(
         )
     if object.mode == "EDIT":
         object.update_from_editmode()
-    with _rendered_mesh(object, depsgraph) as rendered:
-        if rendered is not None:
-            yield rendered
-            return
+    with ExitStack() as stack:
+        found = stack.enter_context(_rendered_mesh(object, depsgraph))
+        if found is None:
+            found = stack.enter_context(_realized_mesh(object, depsgraph))
+        yield found if found is not None else stack.enter_context(_shown_mesh(object, depsgraph))
+
+
+@contextmanager
+def _shown_mesh(
+    object: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> Iterator[tuple[bpy.types.Mesh, np.ndarray]]:
+    """surface_mesh() of what the views show."""
     if is_evaluated(object, depsgraph):
         depsgraph.update()
         with mesh_of(object, depsgraph) as result:
             yield result
     else:
         with evaluated_copy(object, depsgraph, with_data=False) as (copy, own):
+            with mesh_of(copy, own) as result:
+                yield result
+
+
+@contextmanager
+def _realized_mesh(
+    object: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> Iterator[tuple[bpy.types.Mesh, np.ndarray] | None]:
+    """surface_mesh() of an object of which all that is shown are instances of meshes: these as one
+    mesh; None: it is no such object."""
+    if not instances.may_show(object):
+        yield None
+        return
+    kept, number = _kept_of(depsgraph), number_of(object)
+    if kept is not None and number in kept.found:
+        yield kept.found[number]
+        return
+    with ExitStack() as stack:
+        shown, graph = object, depsgraph
+        if is_evaluated(object, depsgraph):
+            depsgraph.update()
+        else:
+            shown, graph = stack.enter_context(evaluated_copy(object, depsgraph, with_data=False))
+        has_own = not shows_collection(shown) and _has_faces_of_its_own(shown, graph)
+        if has_own or not instances.refuse_very_many(object, shown, graph):
+            yield None
+            return
+        found = stack.enter_context(_realized(shown, graph))
+        if kept is not None:
+            kept.found[number] = found
+            kept.stack.push(stack.pop_all())
+        yield found
+
+
+def instances_of(object: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> tuple[int, bool]:
+    """How many instances of meshes a surface consists of, and whether it shows some that are no
+    part of it, as it has faces of its own. Of one that the views hide neither is known."""
+    if not instances.may_show(object) or not is_evaluated(object, depsgraph):
+        return 0, False
+    if not shows_collection(object) and _has_faces_of_its_own(object, depsgraph):
+        return 0, shows_instances(object, depsgraph)
+    return instances.refuse_very_many(object, object, depsgraph), False
+
+
+def _has_faces_of_its_own(thing: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:
+    with mesh_of(thing, depsgraph) as (mesh, _matrix):
+        return len(mesh.polygons) > 0
+
+
+@contextmanager
+def _realized(
+    thing: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> Iterator[tuple[bpy.types.Mesh, np.ndarray]]:
+    """The instances that an object shows as one mesh, and its world matrix."""
+    with instances.stand_in(thing) as whole, instances.realizing(thing) as nodes:
+        with evaluated_copy(whole, depsgraph, with_data=False, nodes=nodes) as (copy, own):
             with mesh_of(copy, own) as result:
                 yield result
 
@@ -145,10 +214,14 @@ class _Once:
 _once: _Once | None = None
 
 
+def _kept_of(depsgraph: bpy.types.Depsgraph) -> _Once | None:
+    return _once if _once is not None and _once.depsgraph == depsgraph else None
+
+
 @contextmanager
 def evaluated_once(depsgraph: bpy.types.Depsgraph) -> Iterator[None]:
-    """Has surfaces evaluated as rendered once, however often they are asked for in the block,
-    which changes nothing of them."""
+    """Has surfaces evaluated as rendered, and instances realized, once, however often they are
+    asked for in the block, which changes nothing of them."""
     global _once
     if _once is not None:
         yield
@@ -172,7 +245,7 @@ def _rendered_mesh(
     if rendering is None or not rendering.may_be_filled or costly and rendering.counted:
         yield None
         return
-    kept = _once if _once is not None and _once.depsgraph == depsgraph else None
+    kept = _kept_of(depsgraph)
     if kept is not None and number in kept.found:
         yield kept.found[number]
         return

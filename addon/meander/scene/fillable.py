@@ -29,6 +29,8 @@ def has_faces(thing: bpy.types.Object | None) -> bool:
     """
     if thing is None or is_result(thing):
         return False
+    if shows_collection(thing):
+        return True
     if thing.type == "MESH":
         # Edges alone are strands, but modifiers may make faces of them; in Edit Mode the data is
         # what it was before. A mesh with neither is one to fill, which will say what it lacks.
@@ -56,11 +58,6 @@ def why_not_this(thing: bpy.types.Object | None) -> str:
             "that file back its place, or choose another with File > External Data > Find Missing "
             "Files"
         )
-    if thing is not None and thing.type == "EMPTY" and thing.instance_type == "COLLECTION":
-        return (
-            f"'{thing.name}' shows instances; use Object > Apply > Make Instances Real, then fill "
-            "the meshes"
-        )
     curve = made_from(thing)
     if curve is not None:
         return (
@@ -71,6 +68,11 @@ def why_not_this(thing: bpy.types.Object | None) -> str:
         return f"The surface of '{thing.name}' is gone; choose a mesh to fill"
     if thing is not None and thing.type == "MESH" and not has_faces(thing):
         return f"'{thing.name}' has no faces; choose a mesh with faces as the surface"
+    if thing is not None and thing.type == "POINTCLOUD":
+        return (
+            f"'{thing.name}' has points only; give a mesh the Geometry Nodes Object Info and "
+            "Instance on Points with a mesh, to fill a copy at each"
+        )
     if thing is not None and thing.type == "CURVE":
         return f"'{thing.name}' has no faces; give it a bevel or an extrusion, or choose a mesh"
     return ""
@@ -83,23 +85,31 @@ def is_missing(thing: bpy.types.Object | None) -> bool:
     return not Path(bpy.path.abspath(thing.library.filepath)).is_file()
 
 
+def shows_collection(thing: bpy.types.Object | None) -> bool:
+    """Whether an object stands for a collection, whose objects it shows."""
+    is_empty = thing is not None and thing.type == "EMPTY" and thing.instance_type == "COLLECTION"
+    return is_empty and thing.instance_collection is not None
+
+
 def shows_instances(thing: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:
     """Whether an object shows copies of others, as Geometry Nodes make them."""
-    return any(True for _kind in _shown_of(thing, depsgraph))
+    return any(True for _instance in shown_by(thing, depsgraph))
 
 
-def shows_curves(thing: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:
-    """Whether all that an object shows are curves of its own Geometry Nodes."""
-    kinds = set(_shown_of(thing, depsgraph))
-    return bool(kinds) and kinds <= {"CURVE", "CURVES"}
+def kinds_shown(thing: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> set[str]:
+    """The types of what an object shows beside its own mesh; curves of its own Geometry Nodes, and
+    points, are of the types CURVE, CURVES and POINTCLOUD."""
+    return {instance.object.type for instance in shown_by(thing, depsgraph)}
 
 
-def _shown_of(thing: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[str]:
-    """The kinds of what an object shows beside its own mesh."""
+def shown_by(
+    thing: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> Iterator[bpy.types.DepsgraphObjectInstance]:
+    """What an object shows beside its own mesh; each only until the next one is asked for."""
     if thing.instance_type == "NONE" and all(m.type != "NODES" for m in thing.modifiers):
         return  # a scene may show millions of others
     for instance in depsgraph.object_instances:
         if instance.is_instance and instance.parent is not None and (
             instance.parent.original == thing
         ):
-            yield instance.object.type
+            yield instance

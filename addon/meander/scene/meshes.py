@@ -10,8 +10,8 @@ import numpy as np
 
 from .. import core
 from .errors import DataError
-from .evaluated import is_evaluated, surface_mesh
-from .fillable import shows_curves, shows_instances
+from .evaluated import instances_of, is_evaluated, surface_mesh
+from .fillable import kinds_shown
 from .rendered import rendering_of
 from .transforms import check_invertible, to_world, world_matrix
 from .triangulation import vertices_of
@@ -36,15 +36,21 @@ def triangles_of(
         mesh.vertices.foreach_get("co", coordinates)
         indices = vertices_of(mesh)
     if not len(indices):
-        if shows_curves(object, depsgraph):
+        shown = kinds_shown(object, depsgraph)
+        if shown and shown <= {"CURVE", "CURVES"}:
             raise DataError(
                 f"'{object.name}' shows curves only, which have no faces; add a Curve to Mesh node "
                 "with a profile at the end of its Geometry Nodes, or choose a mesh with faces"
             )
-        if shows_instances(object, depsgraph):
+        if shown and shown <= {"POINTCLOUD"}:
             raise DataError(
-                f"'{object.name}' shows instances only; add a Realize Instances node at the end of "
-                "its Geometry Nodes, or use Object > Apply > Make Instances Real"
+                f"'{object.name}' shows points only, which have no faces; add an Instance on "
+                "Points node with a mesh at the end of its Geometry Nodes, to fill a copy at each"
+            )
+        if shown:
+            raise DataError(
+                f"'{object.name}' shows instances, none of them of a mesh with faces; instance "
+                "meshes instead, or use Object > Apply > Make Instances Real"
             )
         raise DataError(f"'{object.name}' has no faces; choose a mesh with faces as the surface")
     faces = indices.astype(np.uint32)
@@ -79,6 +85,11 @@ def surface_now(
         raise DataError(
             f"'{surface.name}' is hidden, so that Blender does not evaluate it; show it, display "
             "it as Bounds instead, or bake the frames"
+        )
+    if instances_of(surface, depsgraph)[0]:
+        raise DataError(
+            f"'{surface.name}' shows instances, which a curve does not follow in the view; bake "
+            "the frames, or add a Realize Instances node at the end of its Geometry Nodes"
         )
     rendering = rendering_of(surface, depsgraph.scene) if depsgraph.mode == "VIEWPORT" else None
     if rendering is not None and rendering.may_be_filled:

@@ -143,7 +143,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
             if setting == "layout_as" and self.layout_as == "UV":
                 result = result_of(context)
                 surface = result.meander.surface
-                layout.prop_search(self, "uv_map", surface.data, "uv_layers")
+                if surface.type == "MESH":
+                    layout.prop_search(self, "uv_map", surface.data, "uv_layers")
         if export.takes_sheets(kind, self.option_values()):
             layout.prop(self, "in_sheets")
         row = layout.row()
