@@ -84,7 +84,7 @@ def test_a_drawing_comes_in_sheets_of_the_page(result, tmp_path) -> None:
     assert "sheet" not in opened._size
     opened.in_sheets = True
     opened.check(bpy.context)
-    assert opened._size.endswith(", 6 sheets of paper")
+    assert opened._size.endswith(", 6 sheets")
     panel = Layout()
     opened.layout = panel
     opened.draw(bpy.context)
@@ -139,6 +139,8 @@ def test_a_refused_dialog_comes_back_as_it_was(result, tmp_path):
     assert (again.file_format, again.layout_as, again.tool) == ("GCODE", "TOP", "LASER")
     assert again.scale == pytest.approx(1e5) and again.filepath == path
     assert again._is_refused
+    again.check(bpy.context)
+    assert again.layout_as == "TOP", "what was chosen stays chosen"
     assert dialog(file_format="DXF").file_format == "DXF", "what it is told comes first"
     bpy.ops.meander.export_toolpath(filepath=path, file_format="GCODE", layout_as="TOP")
     assert dialog().file_format != "GCODE", "what was written is Blender's to remember"
@@ -153,3 +155,9 @@ def test_a_refusal_is_of_its_own_curve(result, tmp_path):
         )
     activate(other)
     assert dialog().file_format == "SVG"
+
+
+def test_a_layout_that_was_chosen_stays(result):
+    opened = dialog(file_format="SVG", layout_as="FRONT")
+    opened.check(bpy.context)
+    assert opened.layout_as == "FRONT"

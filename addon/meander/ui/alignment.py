@@ -176,7 +176,7 @@ class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
             row(layout, settings, "alignment_smoothing")
         elif source == "STROKES":
             line = layout.row(align=True)
-            line.prop(settings, "alignment_strokes", icon="CURVE_DATA")
+            line.prop(settings, "alignment_strokes")
             if active.type == "MESH":
                 draw = line.operator("meander.draw_seed", text="", icon="GREASEPENCIL")
                 draw.setting = "alignment_strokes"

@@ -201,8 +201,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportedLines, bpy.types.Operator):
         # In the dialog there is no 3D view to ask.
         self._view, self._format = view_of(context), self.file_format
         if not self.properties.is_property_set("layout_as"):
-            self.layout_as = self._layout_by_shape(context)
-        self._by_shape = self.layout_as
+            self._by_shape = self.layout_as = self._layout_by_shape(context)
         self._look_at_size(context)
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}

@@ -94,7 +94,7 @@ class ExportedLines(ExportOptions):
         if paper is None:
             return ""
         number = number_of(drawing, paper)
-        return f", {number} sheet{'s' * (number != 1)} of paper"
+        return f", {number} sheet{'s' * (number != 1)}"
 
     def written_sheets(
         self,

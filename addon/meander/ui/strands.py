@@ -87,7 +87,7 @@ class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
         columns(layout)
         active = context.active_object
         settings: bpy.types.PropertyGroup = settings_of(active)
-        layout.prop(settings, "seed", icon="CURVE_DATA")
+        layout.prop(settings, "seed")
         layout.operator(
             MEANDER_OT_preview_seed.bl_idname,
             icon="HIDE_OFF",
@@ -103,7 +103,7 @@ class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
         switch(layout, settings, "seed_every_part")
         switch(layout, settings, "bridge_parts")
         guides = layout.column(align=True)
-        guides.prop(settings, "guides", icon="CURVE_DATA")
+        guides.prop(settings, "guides")
         guides.prop(settings, "guide_collection")
         row = layout.row()
         row.active = bool(settings.guides or settings.guide_collection)
