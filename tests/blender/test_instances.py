@@ -184,6 +184,22 @@ def test_a_collection_that_an_empty_shows_is_filled() -> None:
                 drawn(panel, bpy.context)
 
 
+def test_copies_of_one_size_have_one_line_and_those_that_touch_their_own() -> None:
+    blocks = scenes.cube()
+    blocks.location = (50.0, 0.0, 0.0)
+    places = [(2.0 * i, 2.0 * j, 0.0) for i in range(3) for j in range(2)]
+    thing = copies(of=blocks, places=places)
+    for size in thing.data.attributes["size"].data:
+        size.value = 1.0
+    for turn in thing.data.attributes["turn"].data:
+        turn.vector = (0.0, 0.0, 0.0)
+    result = scenes.fill(thing, 0.4)
+    lines = [points - points.mean(axis=0) for points, cyclic in scenes.world_splines(result)]
+    assert len(lines) == 6 and len({len(points) for points in lines}) == 1
+    assert all(np.abs(points - lines[0]).max() < 1e-4 for points in lines)
+    assert "6 parts" in result.meander.figures.lines_why
+
+
 def test_what_has_faces_of_its_own_is_filled_without_its_instances() -> None:
     thing = copies()
     tree = thing.modifiers[0].node_group

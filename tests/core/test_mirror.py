@@ -51,12 +51,12 @@ def filled(mesh: geometry.Mesh, spacing: float, mirror: Mirror | str = "x", **ch
     opened = open_flow(Problem(mesh.vertices, mesh.faces, options, mirror=mirror, **changes))
     with opened.flow as flow:
         flow.run()
-        whole = whole_of(opened.half, flow, options)
+        whole = whole_of(opened.part, flow, options)
         with whole.flow as of_whole:
             return Filled(
-                mesh, spacing, opened.half.mirror,
+                mesh, spacing, opened.part.mirror,
                 of_whole.polylines(), of_whole.point_data(), of_whole.guides(),
-                whole.statistics(opened.half, flow), whole.figures(opened.half), whole.sources,
+                whole.statistics(opened.part, flow), whole.figures(opened.part), whole.sources,
             )  # fmt: skip
 
 
@@ -334,10 +334,10 @@ def test_a_run_with_symmetry_takes_no_other_border() -> None:
     with opened.flow:
         other = core.default_options("even")
         other.radius = 0.1
-        assert opened.half.options_of(other).radius == 0.1
+        assert opened.part.options_of(other).radius == 0.1
         other.boundary_distance = 0.2
         with pytest.raises(core.MeanderError) as refusal:
-            opened.half.options_of(other)
+            opened.part.options_of(other)
     assert_sentence(str(refusal.value))
 
 

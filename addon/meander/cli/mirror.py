@@ -10,9 +10,9 @@ from typing import Any
 
 from .. import core
 from ..model.geometry.reflection import mirror_of
-from ..model.mirror_whole import whole_of
 from ..model.opening import Opened
 from ..model.problem import Problem
+from ..model.whole import whole_of
 
 OFF = "none"
 
@@ -50,9 +50,9 @@ def whole(
 
     options   those of the run at its end
     """
-    if opened.half is None:
+    if opened.part is None:
         yield opened.flow, opened.flow.statistics(), None
         return
-    found = whole_of(opened.half, opened.flow, options)
+    found = whole_of(opened.part, opened.flow, options)
     with found.flow as flow:
-        yield flow, found.statistics(opened.half, opened.flow), found.figures(opened.half)
+        yield flow, found.figures, found.mirror()

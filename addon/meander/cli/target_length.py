@@ -168,7 +168,8 @@ def _coarse_length(spacing: float, arguments: argparse.Namespace, place: Place) 
         setattr(coarse, name, getattr(whole, name))
     coarse.alignment_weight = whole.alignment_weight
     given.problem.options = coarse
-    given.problem.mirror = None  # both halves together are as long as the whole
+    # Both halves together are as long as the whole, and so are all copies.
+    given.problem.mirror = given.problem.copies = None
     opened = open_flow(
         given.problem, accept=lambda cost: limits.refuse_large(cost, arguments)
     )

@@ -67,7 +67,11 @@ def _read_scene(arguments: argparse.Namespace) -> Input:
         mended = preparation.repair_of(arguments).options(problem.vertices, arguments.spacing / 2)
         problem.surface_options = surface_options(mended, given.mask, surface_object, depsgraph)
     given.loose_edges = loose_edge_count(surface_object, depsgraph)
-    given.instances = instances_of(surface_object, depsgraph)
+    shown = instances_of(surface_object, depsgraph)
+    given.instances = shown.in_words
+    # What is made of the surface itself takes it as it is.
+    if len(shown.sizes) and arguments.cut is None and arguments.maps is None:
+        problem.copies = shown.sizes
     radius = arguments.spacing / 2
     alignment = given.alignment = terms.alignment_of(arguments)
     if arguments.direction_angle is not None:

@@ -66,6 +66,12 @@ class Half:
         whole = self.images.on_both(density)
         return whole, self.mesh.carried(whole)
 
+    times = 2.0  # as long as what is solved the whole is
+
+    def shown(self, curve: core.Polylines) -> core.Polylines:
+        """A curve of the half with its mirror image."""
+        return self.mirror.polylines(curve)
+
     def options_of(self, options: core.FlowOptions) -> core.FlowOptions:
         """Other options of the whole as the flow of the half takes them.
 

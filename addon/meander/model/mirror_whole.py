@@ -188,12 +188,7 @@ class Whole:
 
     def statistics(self, half: Half, grown: core.Flow) -> dict[str, Any]:
         """Of the whole curve; how long it took is that of the half's flow."""
-        of_run = {
-            key: value
-            for key, value in grown.statistics().items()
-            if key in ("iterations", "stop_reason", "polishing") or key.startswith("seconds_")
-        }
-        return self.flow.statistics() | of_run | half.fit
+        return with_run(self.flow.statistics(), grown) | half.fit
 
     def figures(self, half: Half) -> dict[str, Any]:
         """The report's "mirror"."""
@@ -211,6 +206,15 @@ class Whole:
             after = np.roll(sides, -1) if curve.closed[k] else sides[1:]
             count += int(np.count_nonzero(sides[: len(after)] != after))
         return count
+
+
+def with_run(figures: dict[str, Any], grown: core.Flow) -> dict[str, Any]:
+    """Figures of a curve that was laid, with those of the run that it has grown in."""
+    return figures | {
+        key: value
+        for key, value in grown.statistics().items()
+        if key in ("iterations", "stop_reason", "polishing") or key.startswith("seconds_")
+    }
 
 
 _NO_SOURCE = 1 << 31

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from .. import core
+from .copies import Copies, copies_of
 from .field import evaluated
 from .mirror import Half, halved
 from .preparation import outlined
@@ -25,8 +26,9 @@ class Opened:
     cost      that the run was expected to have; None: nobody asked
     problem   the one that was opened, with density and directions as they were found
     figures   of core.Surface.statistics(), and "skipped_outlines" where outlines were wanted
-    half      what a whole is made of, by mirror_whole.whole_of(); None: there is no mirror.
-              Density, cost and figures are of the whole surface, `problem` is that of the half
+    part      what a whole is made of, by whole.whole_of(), where a mirror or copies leave a part to
+              be solved; else None. Density, cost and figures are of the whole surface, `problem` is
+              that of the part
     """
 
     flow: core.Flow
@@ -34,7 +36,7 @@ class Opened:
     figures: dict[str, Any]
     problem: Problem
     cost: core.Cost | None = None
-    half: Half | None = None
+    part: Half | Copies | None = None
 
 
 def open_flow(
@@ -55,8 +57,14 @@ def open_flow(
         half = halved(problem, context, accept)
         opened = open_flow(half.problem, context)
         return replace(
-            opened, density=half.density, figures=half.figures, cost=half.cost, half=half
+            opened, density=half.density, figures=half.figures, cost=half.cost, part=half
         )
+    copies = copies_of(problem, context, accept)
+    if copies is not None:
+        if not copies.once:
+            return replace(open_flow(copies.problem, context, accept), part=copies)
+        opened = open_flow(copies.problem, context)
+        return replace(opened, figures=copies.figures, cost=copies.cost, part=copies)
     options, cost = problem.options, None
     with core.Surface(
         problem.vertices, problem.faces, problem.surface_options, options.threads, context

@@ -31,6 +31,12 @@ class Problem:
     outline: float = 0.0  # distance of outlines from the boundary; 0: none
     least_bend_radius: float = 0.0  # that no turn is to fall short of; 0: none is asked for
     mirror: Mirror | None = None  # one half is filled, and the other is its mirror image
+    copies: np.ndarray | None = None  # vertices of each copy, to be filled by itself; None: one
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether a flow solves all of it, and not a part of which a whole is made."""
+        return self.mirror is None and self.copies is None
 
 
 def begin_along_directions(problem: Problem) -> None:

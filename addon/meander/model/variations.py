@@ -47,9 +47,9 @@ def lines(problem: Problem, variations: Iterable[int], nodes: float) -> Iterator
         with opened.flow as flow:
             flow.run()
             found = flow.polylines()
-        half, known = opened.half, opened.problem
-        if half is not None:
-            found = half.mirror.polylines(found)
+        part, known = opened.part, opened.problem
+        if part is not None:
+            found = part.shown(found)
         else:
             problem = replace(problem, density=known.density, directions=known.directions)
         yield found

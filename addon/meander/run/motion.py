@@ -78,10 +78,10 @@ class GrownCurve:
 
     def __init__(self, plan: Plan, problem: Problem, rounding: float = 0.0) -> None:
         """rounding   how far turns may be rounded, in spacings; 0: the curve as it is"""
-        opened = open_flow(problem)
+        opened = open_flow(replace(problem, copies=None))
         self._rounding = rounding
         self.flow = opened.flow
-        self._mirror = None if opened.half is None else opened.half.mirror
+        self._mirror = None if opened.part is None else opened.part.mirror
         self._spacing = least_spacing(plan.problem.options.radius, opened.density)
         self._light = plan.light
         self._keeps_guides = plan.keeps_guides
@@ -183,7 +183,7 @@ def follower_of(
             )
         return EvenFollower(plan_of(result, scene, depsgraph), settings.motion_steps, rounding)
     surface = settings.surface
-    if is_evaluated(surface, depsgraph) and not instances_of(surface, depsgraph)[0]:
+    if is_evaluated(surface, depsgraph) and not len(instances_of(surface, depsgraph).sizes):
         vertices, faces, _matrix = surface_now(surface, depsgraph)
     else:
         vertices, faces = triangles_of(surface, depsgraph)

@@ -141,6 +141,8 @@ def _plan_of(
     problem = Problem(
         vertices, faces, options, seed, density, prepared, directions, alignment.kind, outline
     )
+    shown = instances_of(surface, depsgraph)
+    problem.copies = shown.sizes if len(shown.sizes) else None
     matrix = matrix_of(surface, depsgraph)
     _ask_more(problem, settings, matrix)
     plan = Plan(
@@ -157,7 +159,7 @@ def _plan_of(
         materials=materials,
         name=f"{(settings.seed or surface).name} Meander",
         loose_edges=loose_edge_count(surface, depsgraph),
-        instances=instances_of(surface, depsgraph),
+        instances=shown.in_words,
         keeps_guides=settings.keep_guides,
         density_group=choice.name if choice.source == "GROUP" else "",
         region=region,

@@ -7,7 +7,7 @@ a setting has changed, with undo, another file, and the run itself.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import bpy
 import numpy as np
@@ -82,12 +82,12 @@ def show(active: bpy.types.Object, context: bpy.types.Context) -> Found:
     depsgraph = context.evaluated_depsgraph_get()
     plan = plan_of(active, context.scene, depsgraph, restart=True)
     try:
-        opened = open_flow(plan.problem)
+        opened = open_flow(replace(plan.problem, copies=None))
         with opened.flow as flow:
             curve, guides, figures = flow.polylines(), flow.guides(), flow.statistics()
-        if opened.half is not None:
-            curve, guides = opened.half.mirror.polylines(curve), np.tile(guides, 2)
-            figures |= opened.half.fit
+        if opened.part is not None:
+            curve, guides = opened.part.shown(curve), np.tile(guides, 2)
+            figures |= opened.part.fit
     except core.MeanderError as error:
         named = in_polygons(error, plan.surface.find(), depsgraph)
         told = strands.explained(named, plan.parts, lambda value: length_text(context.scene, value))

@@ -363,7 +363,7 @@ class Session:
                 self.plan, problem=problem, result=Key(result), from_surface=True
             )
             live.keep(SuspendedRun(self.plan, self.stepper, self.latest, self._meaning))
-        usual = self.plan.from_surface and self.whole and self.plan.problem.mirror is None
+        usual = self.plan.from_surface and self.whole and self.plan.problem.is_plain
         if stop_reason == "converged" and usual:
             options = self.plan.problem.options
             estimate.speeds.learn(options, figures["nodes"], figures["seconds_total"])

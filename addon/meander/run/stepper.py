@@ -19,12 +19,13 @@ import numpy as np
 
 from .. import core
 from ..model import bundle
+from ..model.copies import Copies
 from ..model.files.whole import FileError
 from ..model.least_bend import Stiffening, sharpest_bend
 from ..model.mirror import Half
-from ..model.mirror_whole import whole_of
 from ..model.opening import open_flow
 from ..model.problem import Problem
+from ..model.whole import whole_of
 
 # A watched run keeps its curve whenever that has grown by this share of what it is going to be, as
 # long as those copies have no more points than this, which take 100 MB.
@@ -75,9 +76,10 @@ class Stepper:
         # of the result the drawn line with the data of its points, where that is not 0.
         self.rounding = 0.0
         self.drawn: tuple[core.Polylines, core.PointData] | None = None
-        # Of a problem with a mirror: what a whole is made of. Of its result: the strand of the seed
-        # that each strand came from, and why they are several lines; None and empty without one.
-        self._half: Half | None = None
+        # Of a problem of which a part is solved: what a whole is made of. Of its result: the strand
+        # of the seed that each strand came from, and why they are several lines; else None and
+        # empty.
+        self._part: Half | Copies | None = None
         self.sources: np.ndarray | None = None
         self.lines_why = ""
         self.stiffening = Stiffening(problem.least_bend_radius)
@@ -93,7 +95,7 @@ class Stepper:
         """
         try:
             self._begin()
-            length = self._length if self._half is None else self._length / 2.0
+            length = self._length if self._part is None else self._length / self._part.times
             self._flow.keep_growth(GROWTH_STEP * length, GROWTH_POINTS)
             self._flow.start(self._context)
             self._started = True
@@ -142,7 +144,7 @@ class Stepper:
             opened.figures,
             opened.problem,
         )
-        self._half = opened.half
+        self._part = opened.part
 
     def _note_cost(self, cost: core.Cost) -> None:
         self._length = cost.length if math.isfinite(cost.length) else 0.0
@@ -171,11 +173,11 @@ class Stepper:
         preview, progress = self._flow.preview(), self._context.progress
         if self._flow.running:  # at the end the library says 1, also of a run that was cancelled
             self._progress, self._phase = progress, self._context.phase
-        if preview is not None and self._half is not None:
+        if preview is not None and self._part is not None:
             preview = preview._replace(
-                polylines=self._half.mirror.polylines(preview.polylines),
-                nodes=2 * preview.nodes,
-                length=2.0 * preview.length,
+                polylines=self._part.shown(preview.polylines),
+                nodes=round(self._part.times * preview.nodes),
+                length=self._part.times * preview.length,
             )
         return None if preview is None else self._snapshot(*preview)
 
@@ -186,9 +188,9 @@ class Stepper:
         then has neither.
         """
         before, taken, of_flow = self._opened.options, options, density
-        if self._half is not None:
-            taken = self._half.options_of(options)
-            density, of_flow = self._half.density_of(density)
+        if self._part is not None:
+            taken = self._part.options_of(options)
+            density, of_flow = self._part.density_of(density)
         self._flow.set_options(taken)
         try:
             self._flow.set_density(of_flow)
@@ -198,8 +200,8 @@ class Stepper:
         self.density = density
         self.problem = replace(self.problem, options=options, density=density)
         self._opened = replace(self._opened, options=taken, density=of_flow)
-        if self._half is not None:
-            self._half = replace(self._half, density=density)
+        if self._part is not None:
+            self._part = replace(self._part, density=density)
 
     def stiffened(self) -> bool:
         """Makes a curve stiffer that bends more sharply than it may; False where it does not.
@@ -246,12 +248,12 @@ class Stepper:
         self.join()
         if self._error is not None:
             raise self._error
-        if self._half is None:
+        if self._part is None:
             return self._outcome(self._flow, self._flow.statistics())
-        whole = whole_of(self._half, self._flow, self.problem.options)
+        whole = whole_of(self._part, self._flow, self.problem.options)
         self.sources, self.lines_why = whole.sources, whole.why
         with whole.flow as flow:
-            return self._outcome(flow, whole.statistics(self._half, self._flow))
+            return self._outcome(flow, whole.figures)
 
     def _outcome(
         self, flow: core.Flow, statistics: dict[str, Any]

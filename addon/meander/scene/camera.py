@@ -137,7 +137,7 @@ def _surfaces(
             yield owner.name, mesh, Key(owner), owner
     # A copy as rendered is made only once nobody goes through the graph any more.
     for owner in others:
-        if instances_of(owner, depsgraph)[0]:
+        if len(instances_of(owner, depsgraph).sizes):
             continue  # which are there already
         with surface_mesh(owner, depsgraph) as (mesh, matrix):
             triangles = _triangles_of_mesh(mesh, matrix)

@@ -162,7 +162,7 @@ def _realized_mesh(
         else:
             shown, graph = stack.enter_context(evaluated_copy(object, depsgraph, with_data=False))
         has_own = not shows_collection(shown) and _has_faces_of_its_own(shown, graph)
-        if has_own or not instances.refuse_very_many(object, shown, graph):
+        if has_own or not len(instances.sizes_of(object, shown, graph)):
             yield None
             return
         found = stack.enter_context(_realized(shown, graph))
@@ -172,14 +172,30 @@ def _realized_mesh(
         yield found
 
 
-def instances_of(object: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> tuple[int, bool]:
-    """How many instances of meshes a surface consists of, and whether it shows some that are no
-    part of it, as it has faces of its own. Of one that the views hide neither is known."""
+class Instances(NamedTuple):
+    """Instances that an object shows.
+
+    sizes      (n,) int64, the number of vertices of each that the surface consists of
+    left_out   whether it shows some that are no part of it, as it has faces of its own
+    """
+
+    sizes: np.ndarray
+    left_out: bool
+
+    @property
+    def in_words(self) -> tuple[int, bool]:
+        """For model.preparation.described()."""
+        return len(self.sizes), self.left_out
+
+
+def instances_of(object: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Instances:
+    """What a surface consists of and shows besides; of one that the views hide nothing is known."""
+    none = np.zeros(0, dtype=np.int64)
     if not instances.may_show(object) or not is_evaluated(object, depsgraph):
-        return 0, False
+        return Instances(none, False)
     if not shows_collection(object) and _has_faces_of_its_own(object, depsgraph):
-        return 0, shows_instances(object, depsgraph)
-    return instances.refuse_very_many(object, object, depsgraph), False
+        return Instances(none, shows_instances(object, depsgraph))
+    return Instances(instances.sizes_of(object, object, depsgraph), False)
 
 
 def _has_faces_of_its_own(thing: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 import bpy
+import numpy as np
 
 from .blender_versions import add_geometry_socket
 from .errors import DataError
@@ -23,24 +24,25 @@ def may_show(thing: bpy.types.Object) -> bool:
     return shows_collection(thing) or any(m.type == "NODES" for m in thing.modifiers)
 
 
-def refuse_very_many(
+def sizes_of(
     named: bpy.types.Object, shown: bpy.types.Object, depsgraph: bpy.types.Depsgraph
-) -> int:
-    """How many instances of meshes an object shows. Raises DataError for more than could be filled.
+) -> np.ndarray:
+    """The number of vertices of each instance of a mesh that an object shows, (n,). Raises
+    DataError for more than could be filled.
 
     named   for the error; `shown` may be a copy of it
     """
-    copies = faces = 0
+    sizes, faces = [], 0
     for instance in shown_by(shown, depsgraph):
-        if instance.object.type == "MESH":
-            copies += 1
+        if instance.object.type == "MESH" and not is_result(instance.object.original):
+            sizes.append(len(instance.object.data.vertices))
             faces += len(instance.object.data.polygons)
-    if faces > MOST_FACES or copies > MOST_COPIES:
+    if faces > MOST_FACES or len(sizes) > MOST_COPIES:
         raise DataError(
-            f"'{named.name}' shows {copies:,} instances with {faces:,} faces, and at most "
+            f"'{named.name}' shows {len(sizes):,} instances with {faces:,} faces, and at most "
             f"{MOST_COPIES:,} with {MOST_FACES:,} are filled; show fewer of them"
         )
-    return copies
+    return np.array(sizes, dtype=np.int64)
 
 
 @contextmanager

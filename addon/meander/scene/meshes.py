@@ -86,7 +86,7 @@ def surface_now(
             f"'{surface.name}' is hidden, so that Blender does not evaluate it; show it, display "
             "it as Bounds instead, or bake the frames"
         )
-    if instances_of(surface, depsgraph)[0]:
+    if len(instances_of(surface, depsgraph).sizes):
         raise DataError(
             f"'{surface.name}' shows instances, which a curve does not follow in the view; bake "
             "the frames, or add a Realize Instances node at the end of its Geometry Nodes"
