@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import test_sheets
 from conftest import PACKAGE
 from meander import batch, core
 from meander.model.files.whole import FileError
@@ -357,6 +358,52 @@ def test_inks_are_layers_or_files(portrait, tmp_path):
     assert run(*words, tmp_path / "out.gcode") == 0
     assert (tmp_path / "out_magenta.gcode").exists() and (tmp_path / "out_yellow.gcode").exists()
     assert not (tmp_path / "out.gcode").exists()
+
+
+@pytest.mark.parametrize("arcs", [(), ("--arcs", 0.05)])
+def test_a_large_picture_comes_in_sheets(portrait, tmp_path, capsys, arcs):
+    out, report = tmp_path / "out.svg", tmp_path / "out.json"
+    code = run("--picture", portrait, "--width", 60, "--pen", PEN, "--output", out, *arcs,
+               "--report", report, "--sheet", "50x42", "--sheet-margin", 4)  # fmt: skip
+    said = capsys.readouterr()
+    assert code == 0, said.err
+    assert "4 sheets of 50 x 42 mm, out_r1c1.svg to out_r2c2.svg" in said.out
+    (entry,) = json.loads(report.read_text())["sheets"]
+    assert (entry["rows"], entry["columns"]) == (2, 2)
+    lengths, pieces = [], []
+    for each in entry["written"]:
+        text = (tmp_path / each["file"]).read_text()
+        assert 'width="50mm" height="42mm"' in text and 'inkscape:label="marks"' in text
+        assert text.count('stroke="#000000"') == 2  # of the file, and of the layer
+        lengths.append(each["length"])
+        assert text.count("<path") == each["paths"] + 8
+        if not arcs:
+            lines, _marks, _sides = test_sheets.svg(tmp_path / each["file"])
+            there = [(each["column"] - 1) * 42.0, (entry["rows"] - each["row"]) * 34.0]
+            pieces += [way + there for way in lines[8:]]
+    whole = json.loads(report.read_text())["length"]
+    assert sum(lengths) == pytest.approx(whole, rel=0.01)
+    if not arcs:
+        (found,) = test_sheets.joined(pieces, 2 * test_sheets.ROUNDED)
+        assert test_sheets.length(found) == pytest.approx(whole, rel=1e-3)
+
+
+def test_sheets_of_inks_lie_as_one(portrait, tmp_path):
+    pillow = pytest.importorskip("PIL.Image")
+    colours = np.zeros((40, 40, 3), np.uint8) + np.array([220, 60, 40], np.uint8)
+    colours[:, 20:, 1] = 255  # magenta on the left only
+    pillow.fromarray(colours).save(portrait)
+    words = ("--picture", portrait, "--width", 30, "--pen", PEN, "--quiet", "--leave-white", 0.05,
+             "--inks", "magenta,yellow", "--sheet", "25x25", "--sheet-margin", 5, "--output")
+    assert run(*words, tmp_path / "out.gcode") == 0
+    written = {path.name for path in tmp_path.glob("out_*_r*.gcode")}
+    assert "out_magenta_r1c1.gcode" in written and "out_yellow_r2c2.gcode" in written
+    marks = {tuple(re.findall(r"X\S+ Y\S+", path.read_text().partition("; layer")[0]))
+             for path in tmp_path.glob("out_*_r*.gcode")}  # fmt: skip
+    assert len(marks) == 1, "crosses lie in the same places for every pen"
+    assert run(*words, tmp_path / "out.svg") == 0
+    labels = re.findall(r'inkscape:label="(\w+)"', (tmp_path / "out_r1c1.svg").read_text())
+    assert labels == ["marks", "magenta", "yellow"]
 
 
 @pytest.mark.parametrize("named", ["same.svg", "all_cyan.png", "all_black.gcode", "out.svg"])

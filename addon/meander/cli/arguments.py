@@ -227,7 +227,7 @@ def _check_outputs(arguments: argparse.Namespace) -> None:
         if path.exists() and not os.access(target, os.W_OK):
             raise BadInput(f"{option} {path} is protected against writing; choose another name")
         for other, other_path in taken.items():
-            if option == "--output" and sheets.may_write(arguments, other_path):
+            if option == "--output" and sheets.may_write(arguments, path, other_path):
                 raise BadInput(f"--sheet would overwrite {other} {other_path}; choose another name")
             # A scene may be saved over itself: it still holds all that was in it.
             scene = option == "--output" and other == "--input" and path.suffix == ".blend"

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from .. import core
 from ..model.files.obj import write_obj_curve
@@ -16,8 +16,18 @@ from ..model.files.whole import naming, whole_files
 from ..model.picture import line
 from ..model.picture.drawn import preview
 from ..model.picture.image import Image
-from ..model.picture.page import curve_of, drawing_of, moved, pieces_of_page
+from ..model.picture.page import (
+    curve_of,
+    drawing_of,
+    moved,
+    pieces_of_page,
+    pieces_of_sheet,
+    sheets_of_file,
+    sheets_of_page,
+)
 from ..model.report import write_report
+from ..model.sheets import described, entry, file_of
+from . import sheets as sheet_options
 from . import standard
 from .wishes import PREVIEWS, file_values, in_one_file, of_ink
 
@@ -38,6 +48,35 @@ def _files(arguments: argparse.Namespace, layers: list[line.Layer]) -> dict[Path
     return {of_ink(path, layer.plan.name): [layer] for layer in layers}
 
 
+class _Sheets(NamedTuple):
+    """The sheets of one of the drawings.
+
+    pieces   what the file of each holds
+    said     how they lie
+    entry    of the report
+    """
+
+    pieces: dict[Path, Iterable[str | bytes]]
+    said: str
+    entry: dict[str, Any]
+
+
+def _sheets(arguments: argparse.Namespace, layers: list[line.Layer]) -> list[_Sheets]:
+    """The sheets of all drawings, where they are asked for."""
+    paper = sheet_options.paper_of(arguments)
+    if paper is None:
+        return []
+    parted, found = sheets_of_page(layers, paper), []
+    for path, of_file in _files(arguments, layers).items():
+        of_path = sheets_of_file(of_file, parted)
+        pieces = {}
+        for sheet in of_path.drawn:
+            name = file_of(path, sheet)
+            pieces[name] = pieces_of_sheet(name, of_file, parted, sheet, file_values(arguments))
+        found.append(_Sheets(pieces, described(path, of_path), entry(path, of_path)))
+    return found
+
+
 def write_drawings(
     arguments: argparse.Namespace,
     layers: list[line.Layer],
@@ -45,17 +84,24 @@ def write_drawings(
     say: Callable[[str], None],
 ) -> list[Path]:
     """Writes all files, or none; returns their paths."""
-    files = _files(arguments, layers)
+    files, sheets = _files(arguments, layers), _sheets(arguments, layers)
     others = [path for path in (arguments.preview, arguments.report) if path is not None]
-    with whole_files([*files, *others]) as temporary:
-        paths = dict(zip([*files, *others], temporary, strict=True))
+    told = _told(record)
+    record["sheets"] = [each.entry for each in sheets] or None
+    named = [path for each in sheets for path in each.pieces]
+    with whole_files([*files, *named, *others]) as temporary:
+        paths = dict(zip([*files, *named, *others], temporary, strict=True))
         for path, of_file in files.items():
             with naming(path):
                 _write_drawing(paths[path], path, of_file, arguments)
+        for each in sheets:
+            for path, pieces in each.pieces.items():
+                with naming(path):
+                    write_pieces(paths[path], pieces)
         if arguments.preview is not None:
             with naming(arguments.preview):
                 _write_preview(paths[arguments.preview], layers, arguments)
-        for text in _told(record):
+        for text in (*told, *(each.said for each in sheets)):
             say(text)
         if arguments.report is not None:
             with naming(arguments.report):

@@ -72,11 +72,11 @@ def problem_of(
     return None
 
 
-def may_write(arguments: argparse.Namespace, path: Path) -> bool:
-    """Whether a sheet could have the name of a file, or be written through a link to it."""
+def may_write(arguments: argparse.Namespace, output: Path, path: Path) -> bool:
+    """Whether a sheet of an output could have the name of a file, or be written through a link to
+    it."""
     if arguments.sheet is None:
         return False
-    output = arguments.output
     if sheets.is_of(output, path):
         return True
     beside = output.parent.iterdir() if output.parent.is_dir() else ()

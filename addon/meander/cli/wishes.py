@@ -18,7 +18,7 @@ from ..model.picture import line
 from ..model.picture.image import is_there, missing_text
 from ..model.picture.inks import INKS
 from ..model.toolpaths import embroidery
-from . import flags, limits, standard, tone
+from . import flags, limits, sheets, standard, tone
 from .place import Place
 from .values import BadInput, Parser, file_name, one_of_several, positive, reader
 
@@ -97,6 +97,7 @@ def _add_sheet(sheet: argparse._ArgumentGroup) -> None:
         help="width of its line; default: 0.4",
     )
     flags.add_flags(sheet, _SHEET, [margin(0.0, _SHEET)])
+    sheets.add_options(sheet)
     add(
         "--crop",
         type=reader(int, least=0),
@@ -207,6 +208,9 @@ def _check_kinds(arguments: argparse.Namespace) -> None:
             raise BadInput(
                 f"{row.flag.name} does nothing for an --output of kind {suffix}; leave it out"
             )
+    wrong = sheets.problem_of(arguments, kind, file_values(arguments))
+    if wrong is not None:
+        raise BadInput(wrong)
     if kind is not None and embroidery.is_wanted(arguments.output) and not embroidery.is_there():
         raise BadInput(embroidery.missing_text(None))
     if "output" in standard.echo(arguments) and arguments.inks and len(arguments.inks) > 1:
@@ -247,6 +251,8 @@ def _check_outputs(arguments: argparse.Namespace) -> None:
         if not path.resolve().parent.is_dir():
             raise BadInput(f"the folder of --{option} {path} does not exist; make it first")
         for other, other_path in taken:
+            if option == "output" and sheets.may_write(arguments, path, other_path):
+                raise BadInput(f"--sheet would overwrite {other} {other_path}; choose another name")
             if are_one(path, other_path):
                 raise BadInput(f"--{option} would overwrite {other} {path}; choose another name")
         taken.append((f"--{option}", path))

@@ -14,6 +14,7 @@ from .. import export
 from ..options.option import Values
 from ..toolpaths import embroidery
 from ..toolpaths.drawing import Drawing
+from ..toolpaths.sheets import Paper, Sheet, Sheets, sheets_of
 from ..toolpaths.svg import page_pieces
 from ..toolpaths.toolpath import Strand
 from .line import Layer
@@ -57,6 +58,70 @@ def drawing_of(layers: Sequence[Layer], margin: float) -> Drawing:
     spacing = min(layer.plan.least_spacing for layer in layers)
     strands = [moved(strand, margin) for layer in layers for strand in layer.strands]
     return Drawing(strands, "mm", True, spacing)
+
+
+def sheets_of_page(layers: Sequence[Layer], paper: Paper) -> dict[str, Sheets]:
+    """The sheets of each layer, by its name; they lie as those of all together do."""
+    whole = drawing_of(layers, 0.0)
+    numbers = np.repeat(np.arange(len(layers)), [len(layer.strands) for layer in layers])
+    marked = [replace(strand, part=int(k) + 1) for strand, k in zip(whole.strands, numbers)]
+    parted = sheets_of(replace(whole, strands=marked), paper)
+    found = {}
+    for number, layer in enumerate(layers, 1):
+        drawn = []
+        for sheet in parted.drawn:
+            own = [strand for strand in sheet.drawing.strands if strand.part == number]
+            plain = [replace(strand, part=0) for strand in own]
+            if own:
+                drawn.append(sheet._replace(drawing=replace(sheet.drawing, strands=plain)))
+        found[layer.plan.name] = parted._replace(drawn=drawn)
+    return found
+
+
+def sheets_of_file(layers: Sequence[Layer], parted: dict[str, Sheets]) -> Sheets:
+    """The sheets of a file of some layers: those that any of them draws on, with all of them."""
+    by_name: dict[str, Sheet] = {}
+    for layer in layers:
+        for sheet in parted[layer.plan.name].drawn:
+            there = by_name.get(sheet.name)
+            before = [] if there is None else list(there.drawing.strands)
+            both = replace(sheet.drawing, strands=[*before, *sheet.drawing.strands])
+            by_name[sheet.name] = sheet._replace(drawing=both)
+    drawn = sorted(by_name.values(), key=lambda sheet: sheet[:2])
+    return next(iter(parted.values()))._replace(drawn=drawn)
+
+
+def pieces_of_sheet(
+    path: Path,
+    layers: Sequence[Layer],
+    parted: dict[str, Sheets],
+    sheet: Sheet,
+    values: Values,
+) -> Iterable[str | bytes]:
+    """What a file of a sheet holds, a block after the other.
+
+    path     for its suffix and its title
+    layers   of inks; of an .svg they are its layers, behind that of the marks
+    sheet    of sheets_of_file()
+    """
+    kind, version = export.format_of(path), core.library_version()
+    page, drawing = sheet.drawing.page, sheet.drawing
+    tolerance = values["arc_tolerance"]
+    if kind.name != "SVG":
+        if tolerance > 0.0:
+            drawing = drawing.with_arcs(tolerance)
+        return export.pieces_of(kind, drawing, values, path.stem, version, path.suffix)
+    shown, colours = [("marks", list(page.marks))], [""]
+    for layer in layers:
+        found = [each for each in parted[layer.plan.name].drawn if each.name == sheet.name]
+        shown += [(layer.plan.name, list(each.drawing.strands)) for each in found]
+        colours += [layer.plan.colour] * len(found)
+    moves = None
+    if tolerance > 0.0:
+        strands = [strand for _name, those in shown for strand in those]
+        moves = replace(drawing, strands=strands).with_arcs(tolerance).moves
+    width = values["line_width"]
+    return page_pieces(shown, page.sides, width, path.stem, version, colours, moves)
 
 
 def moved(strand: Strand, margin: float) -> Strand:
