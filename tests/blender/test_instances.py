@@ -198,6 +198,12 @@ def test_copies_of_one_size_have_one_line_and_those_that_touch_their_own() -> No
     assert len(lines) == 6 and len({len(points) for points in lines}) == 1
     assert all(np.abs(points - lines[0]).max() < 1e-4 for points in lines)
     assert "6 parts" in result.meander.figures.lines_why
+    scenes.activate(result)
+    assert bpy.ops.meander.run() == {"FINISHED"}  # goes on with all of them
+    assert len(result.data.splines) == 6
+    scenes.activate(result)
+    with pytest.raises(RuntimeError, match="Instances that touch are one mesh for a cut"):
+        bpy.ops.meander.two_tone()
 
 
 def test_what_has_faces_of_its_own_is_filled_without_its_instances() -> None:

@@ -154,10 +154,24 @@ def test_with_a_density_each_is_filled_by_its_own() -> None:
     assert part.density_of(problem.density)[1] is problem.density
 
 
-def test_what_has_a_seed_or_shared_faces_is_taken_as_it_is() -> None:
+def test_a_line_goes_on_where_copies_touch() -> None:
+    cube = geometry.cube()
+    side = float(np.ptp(cube.vertices[:, 0]))
+    bodies = [moved(cube, np.eye(3), (side * i, 0.0, 0.0)) for i in range(3)]
+    problem = problem_of(bodies, side / 5.0)
+    _part, curve, _whole = run(problem)
+    seed = core.Seed(curve.positions, curve.offsets, curve.closed, max_distance=side / 10.0)
+    part, again, _whole = run(replace(problem, seed=seed))
+    assert not part.once and len(again.closed) == 3
+    middles = [again.positions[begin:end].mean(axis=0)[0]
+               for begin, end in zip(again.offsets[:-1], again.offsets[1:])]  # fmt: skip
+    assert np.abs(np.diff(middles) - side).max() < 0.4 * side
+
+
+def test_what_has_strands_elsewhere_or_shared_faces_is_taken_as_it_is() -> None:
     bodies = [potato(), moved(potato(), np.eye(3), (5, 0, 0))]
     problem = problem_of(bodies)
-    points = np.array([[0.0, 0, 1], [0.1, 0, 1], [0.1, 0.1, 1]])
+    points = np.array([[0.0, 0, 1], [4.1, 0, 1], [0.1, 0.1, 1]])
     seed = core.Seed(points, np.array([0, 3], np.uint32), np.array([1], np.uint8), max_distance=9.0)
     assert copies_of(replace(problem, seed=seed)) is None
     assert copies_of(replace(problem, copies=problem.copies[:1])) is None

@@ -137,7 +137,7 @@ def _filled(
                 arguments.round or 0.0,
                 with_data=arguments.output.suffix.lower() != ".obj",
             )
-            line = written(grown, arguments, opened.problem)
+            line = written(grown, arguments, given.problem)
             # Not all that has grown, or another line.
             if line is not grown or arguments.leave_out_guides or arguments.round:
                 figures["length"] = length_of(line)

@@ -133,13 +133,13 @@ def copies_of(
     context: core.Context | None = None,
     accept: Callable[[core.Cost], None] | None = None,
 ) -> Copies | None:
-    """The copies of a problem that has some; None where it is solved as it is: with a seed, whose
-    strands lie where copies are, and where faces join several.
+    """The copies of a problem that has some; None where it is solved as it is: where faces join
+    several, or a strand of the seed lies on none of them.
 
     accept   see opening.open_flow(); only where some are alike, for else that asks
     """
     sizes = problem.copies
-    if sizes is None or len(sizes) < 2 or problem.seed is not None or problem.mirror is not None:
+    if sizes is None or len(sizes) < 2 or problem.mirror is not None:
         return None
     ends = np.cumsum(sizes)
     faces = np.asarray(problem.faces, dtype=np.int64)
@@ -154,11 +154,18 @@ def copies_of(
     own = problem.vertices - middles[of_vertex]
     cell = 2.0 * float(np.linalg.norm(own, axis=1).max()) + _APART * problem.options.radius
     counts, places = _places(len(sizes), cell)
-    given = replace(problem, vertices=own + places[of_vertex], copies=None)
-    radius = problem.options.radius
+    seed, radius = problem.seed, problem.options.radius
+    if seed is not None:
+        which = _copies_of_strands(seed, problem.vertices, begins, 0.1 * radius)
+        if (which < 0).any():
+            return None
+        of_point = np.repeat(which, np.diff(np.asarray(seed.offsets, dtype=np.int64)))
+        seed = replace(seed, points=seed.points + (places - middles)[of_point])
+    given = replace(problem, vertices=own + places[of_vertex], seed=seed, copies=None)
     spans = np.searchsorted(owners[:, 0], np.arange(len(sizes) + 1))
     alike = congruent(own, begins, faces, spans, _ALIKE, _ALIKE_IN_R * radius)
     plain = problem.density is None and problem.directions is None and not _is_masked(problem)
+    plain = plain and seed is None
     if not (plain and alike.is_fewer):
         alike = Congruent.of_all(len(sizes))
         return Copies(
@@ -178,6 +185,23 @@ def copies_of(
     return Copies(
         solved, given, middles, places, cell, counts, alike, None, times, figures, cost
     )
+
+
+def _copies_of_strands(
+    seed: core.Seed, vertices: NDArray[np.float64], begins: NDArray[np.int64], beside: float
+) -> NDArray[np.int64]:
+    """The copy on which each strand lies: the smallest whose box holds it, or is at most `beside`
+    it; -1: none does."""
+    lows = np.minimum.reduceat(vertices, begins, axis=0) - beside
+    highs = np.maximum.reduceat(vertices, begins, axis=0) + beside
+    sizes = np.linalg.norm(highs - lows, axis=1)
+    found = []
+    for begin, end in zip(seed.offsets[:-1], seed.offsets[1:]):
+        points = seed.points[int(begin) : int(end)]
+        inside = (points.min(axis=0) >= lows) & (points.max(axis=0) <= highs)
+        held = np.flatnonzero(inside.all(axis=1))
+        found.append(int(held[np.argmin(sizes[held])]) if len(held) else -1)
+    return np.array(found, dtype=np.int64)
 
 
 def _places(count: int, cell: float) -> tuple[NDArray[np.int64], NDArray[np.float64]]:

@@ -75,10 +75,15 @@ def cut_result(
         raise DataError("The result has only guides, and guides do not cut; fill the surface")
     length = detail * plan.spacing / 2.0
     try:
-        opened = open_flow(replace(plan.problem, mirror=None))
+        opened = open_flow(replace(plan.problem, mirror=None, copies=None))
     except core.MeanderError as error:
         if error.status != core.Status.INVALID_SEED:
             raise
+        if plan.problem.copies is not None:
+            raise DataError(
+                "Instances that touch are one mesh for a cut, on which their lines do not lie; "
+                "move them apart, or fill what Object > Apply > Make Instances Real makes"
+            ) from error
         raise DataError(
             "The curve does not lie on its surface as that is now; fill the surface again"
         ) from error

@@ -65,7 +65,7 @@ def renew(
     if tolerance:
         try:
             plan = plan_of(result, scene, depsgraph)
-            opened = open_flow(replace(plan.problem, mirror=None))
+            opened = open_flow(replace(plan.problem, mirror=None, copies=None))
             with opened.flow as flow:
                 drawn, guides = flow.rounded(tolerance), flow.guides()
             spacing = least_spacing(plan.problem.options.radius, opened.density)
