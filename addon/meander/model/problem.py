@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from .. import core
 from .field import FieldOn
 from .geometry.reflection import Mirror
+from .picture.correction import Tones
 
 
 @dataclass
@@ -32,11 +33,19 @@ class Problem:
     least_bend_radius: float = 0.0  # that no turn is to fall short of; 0: none is asked for
     mirror: Mirror | None = None  # one half is filled, and the other is its mirror image
     copies: np.ndarray | None = None  # vertices of each copy, to be filled by itself; None: one
+    tones: Tones | None = None  # of a picture: the line is corrected until it has them
 
     @property
     def is_plain(self) -> bool:
         """Whether a flow solves all of it, and not a part of which a whole is made."""
         return self.mirror is None and self.copies is None
+
+    def revised(self, options: core.FlowOptions, density: np.ndarray | None) -> Problem:
+        """The same with other options and another density."""
+        tones = None
+        if self.tones is not None and density is not None:
+            tones = self.tones.revised(2.0 * options.radius, density)
+        return replace(self, options=options, density=density, tones=tones)
 
 
 def begin_along_directions(problem: Problem) -> None:

@@ -25,8 +25,8 @@ from ..problem import Problem
 from ..toolpaths import bridges
 from ..toolpaths.drawing import Drawing
 from ..toolpaths.toolpath import Strand, strands_of
-from .correction import corrected
-from .drawn import ToneError, ink_of, tone_error
+from .correction import Correction, Tones
+from .drawn import ToneError
 from .forms import form_angles
 from .image import Image, averaged
 from .inks import INKS, separated
@@ -49,8 +49,6 @@ ALIGNMENT = 1.0
 # Segments are so many times longer while the line grows. With 3, as elsewhere, strokes of one or
 # two pens have hardly any line until the last iterations.
 _COARSENING = 1.5
-# A line that is farther from the tone is corrected, at two mean spacings, and so many times.
-_NEAR_TONE, _CORRECTIONS = 0.01, 2
 # Parts that are cut out are left out where they are smaller, in squares of mean spacings, and
 # corridors between parts are so wide, in mean spacings.
 _LEAST_PART, _CORRIDOR = 4.0, 2.2
@@ -109,31 +107,38 @@ class Wishes:
 class Plan:
     """What is to be drawn in one ink.
 
-    name      of the ink
-    share     of ink at the places of the grid, 0 where there is no line
-    kept      of the places, where there is a line
-    spacing   the mean one, in millimetres
+    name          of the ink
     dark, light   how much of the sheet is darker and lighter than the pen can be
     """
 
     name: str
     colour: str
-    grid: Grid
-    share: NDArray[np.float64]
-    kept: NDArray[np.bool_]
     problem: Problem
-    spacing: float
     dark: float
     light: float
 
     @property
+    def tones(self) -> Tones:
+        return self.problem.tones
+
+    @property
+    def grid(self) -> Grid:
+        return self.tones.grid
+
+    @property
+    def share(self) -> NDArray[np.float64]:
+        """Of ink at the places of the grid, 0 where there is no line."""
+        return self.tones.share
+
+    @property
+    def spacing(self) -> float:
+        """The mean one, in millimetres."""
+        return self.tones.mean_spacing
+
+    @property
     def least_spacing(self) -> float:
         """In millimetres."""
-        return self.spacing * float(self.share[self.kept].mean() / self.share.max())
-
-    def density_of(self, share: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The density of the problem for another share of ink, with the same mean spacing."""
-        return (share[self.kept] / self.share[self.kept].mean()) ** 2
+        return self.spacing * self.tones.one / float(self.share.max())
 
 
 @dataclass(frozen=True)
@@ -141,14 +146,13 @@ class Layer:
     """What has been drawn in one ink.
 
     strands   in millimetres, from the lower left corner of the sheet
-    error     None: the sheet is too small to tell
     """
 
     plan: Plan
     strands: list[Strand]
     reason: str
     figures: dict[str, Any]
-    error: ToneError | None
+    error: ToneError
     empty: Empty
 
     @property
@@ -171,7 +175,7 @@ class Layer:
             "length": self.length,
             "travel": self.travel,
             "spacing": plan.spacing,
-            "tone": {} if self.error is None else self.error.entry(),
+            "tone": self.error.entry(),
             "out_of_reach": {"too_dark": plan.dark, "too_light": plan.light},
             "nodes": int(self.figures["nodes"]),
             "iterations": int(self.figures["iterations"]),
@@ -259,34 +263,24 @@ def _plan(
         return None
     _check_room(spacing, cells, grid, pen)
     used, faces = triangles(cells)
-    kept = np.zeros(left.size, dtype=bool)
-    kept[used] = True
     # A corridor has room for a line there and back.
-    ink = np.where(left, made.share, pen / spacing)
-    share = ink.ravel()[used]
-    mean = float(share.mean())
+    ink = np.where(left, made.share, pen / spacing).ravel()[used]
+    share = np.zeros(left.size)
+    share[used] = ink
+    mean = float(ink.mean())
+    tones = Tones(grid, share.reshape(left.shape), used, mean, pen, wishes.tone)
     problem = Problem(
         grid.points()[used],
         faces,
         _options(wishes, pen / mean),
-        density=(share / mean) ** 2,
+        density=tones.density_of(tones.share),
         directions=_directions(made, grid, wishes, name, pen / mean, used),
+        tones=tones,
     )
     if problem.directions is not None:
         problem.options.alignment_weight = ALIGNMENT
-    dark, light_share = _out_of_reach(made.darkness.ravel()[used], tone)
-    kept = kept.reshape(left.shape)
-    colour = INKS[name].colour
     return Plan(
-        name,
-        colour,
-        grid,
-        np.where(kept, ink, 0.0),
-        kept,
-        problem,
-        pen / mean,
-        dark,
-        light_share,
+        name, INKS[name].colour, problem, *_out_of_reach(made.darkness.ravel()[used], tone)
     )
 
 
@@ -307,11 +301,17 @@ def _out_of_reach(darkness: NDArray[np.float64], tone: Tone) -> tuple[float, flo
     return float(too_dark), float((darkness < white * (1.0 - _ROUNDING)).mean())
 
 
+def as_drawn(options: core.FlowOptions) -> None:
+    """Has a line be made of such segments as pictures are, where nobody asked for others."""
+    options.segment_length = options.segment_length or SEGMENT * options.radius
+    longer = min(options.tunings["growth_coarsening"], _COARSENING)
+    options.tunings = options.tunings | {"growth_coarsening": longer}
+
+
 def _options(wishes: Wishes, spacing: float) -> core.FlowOptions:
     options = core.default_options("even")
     options.radius = spacing / 2.0
-    options.segment_length = SEGMENT * options.radius
-    options.tunings = options.tunings | {"growth_coarsening": _COARSENING}
+    as_drawn(options)
     options.threads = wishes.threads
     options.variation = wishes.variation
     if wishes.style != "scribble":
@@ -337,7 +337,9 @@ def _directions(
     return np.column_stack([np.cos(angle), np.sin(angle), np.zeros(len(angle))])
 
 
-def layer_of(plan: Plan, flow: core.Flow, reason: str, wishes: Wishes) -> Layer:
+def _layer_of(
+    plan: Plan, flow: core.Flow, reason: str, wishes: Wishes, correction: Correction
+) -> Layer:
     """What a run that has ended has drawn. Raises core.MeanderError."""
     curve = flow.polylines()
     least = wishes.line_width / wishes.tone.darkest
@@ -346,9 +348,7 @@ def layer_of(plan: Plan, flow: core.Flow, reason: str, wishes: Wishes) -> Layer:
         curve = curve if line is None else line.polylines
     curve = with_points(curve, light_points(curve, Light(_LIGHT), least))
     strands = strands_of(curve)
-    error = tone_error(
-        ink_of(strands, wishes.line_width, plan.grid), plan.share, plan.spacing, plan.grid
-    )
+    error = correction.measure(strands)
     return Layer(plan, strands, reason, flow.statistics(), error, empty_of(flow.gaps()))
 
 
@@ -377,17 +377,10 @@ def draw(
 
 def _drawn(plan: Plan, flow: core.Flow, run: Callable[[core.Flow], str], wishes: Wishes) -> Layer:
     """Runs a flow, and again for what its line lacks of the tone; the line that is nearest."""
-    layer, asked = layer_of(plan, flow, run(flow), wishes), plan.share
-    for _ in range(_CORRECTIONS):
-        error = layer.error
-        if error is None or error.two <= _NEAR_TONE or layer.reason != "converged":
-            break
-        ink = ink_of(layer.strands, wishes.line_width, plan.grid)
-        blur = 2.0 * plan.spacing / plan.grid.cell
-        asked = corrected(asked, plan.share, ink, blur, wishes.tone)
-        flow.set_density(plan.density_of(asked))
-        other = layer_of(plan, flow, run(flow), wishes)
-        if other.error is None or other.error.two >= error.two:
-            break
-        layer = other
+    correction = Correction(plan.tones)
+    layer = _layer_of(plan, flow, run(flow), wishes, correction)
+    while layer.reason == "converged" and (density := correction.following()) is not None:
+        flow.set_density(density)
+        other = _layer_of(plan, flow, run(flow), wishes, correction)
+        layer = other if correction.nearest else layer
     return layer
