@@ -9,10 +9,17 @@ import bpy
 import numpy as np
 import pytest
 import scenes
+from mathutils import Euler, Matrix
 from meander import batch
 from meander.model.maps import png
+from meander.model.picture import drawn as drawings
+from meander.model.picture.line import Wishes, plans_of
+from meander.model.picture.tone import Tone
+from meander.model.toolpaths.toolpath import strand_of
+from meander.run import suspended
 from meander.scene import look
 from meander.scene.picture import DIRECTION, SPACING, read_picture
+from watched_runs import begin, tick_until
 
 
 @pytest.fixture
@@ -70,6 +77,107 @@ def test_the_sheet_is_all_that_is_made_where_it_is_not_filled(ramp: Path) -> Non
 def test_units_of_the_scene_count(ramp: Path) -> None:
     bpy.context.scene.unit_settings.scale_length = 0.001
     assert tuple(drawn(ramp, fill=False).dimensions[:2]) == pytest.approx((60.0, 30.0))
+
+
+@pytest.fixture
+def art(tmp_path: Path) -> Path:
+    """A ring, hatching finer than a pen of half a millimetre on 40, and a block of black."""
+    count = 240
+    values = np.ones((count, count))
+    y, x = np.mgrid[:count, :count]
+    values[np.abs(np.hypot(x - 84, y - 84) - 53) < 3] = 0.0
+    for k in range(12):
+        values[148:216, int(120 + 7.2 * k)] = 0.0
+    values[168:206, 24:72] = 0.0
+    path = tmp_path / "art.png"
+    path.write_bytes(png((65535 * values).astype(np.uint16)))
+    return path
+
+
+ART = {"width": 40.0, "pen": 0.5, "tone": "VALUE"}
+# By one run the line is .015 off in rows, .021 grown, and .013 on a sheet that was turned.
+NEAR = 0.012
+
+
+def error_of(curve: bpy.types.Object, path: Path) -> float:
+    """How far a line is from the tones of a picture, on the grid that the command would have."""
+    (plan,) = plans_of(read_picture(path), Wishes(40.0, 0.5, tone=Tone("value")))
+    local = np.linalg.inv(np.array(curve.meander.surface.matrix_world))
+    lines = []
+    for points, cyclic in scenes.world_splines(curve):
+        flat = 1000.0 * (points @ local[:3, :3].T + local[:3, 3]) + [20.0, 20.0, 0.0]
+        lines.append(strand_of(flat, np.tile([0.0, 0.0, 1.0], (len(flat), 1)), cyclic))
+    ink = drawings.ink_of(lines, 0.5, plan.grid)
+    return drawings.tone_error(ink, plan.share, plan.spacing, plan.grid).two
+
+
+@pytest.mark.parametrize("style", ["PORTRAIT", "SCRIBBLE"])
+def test_the_line_is_corrected_as_the_command_corrects_it(art: Path, style: str) -> None:
+    curve = drawn(art, **ART, style=style)
+    assert error_of(curve, art) <= NEAR
+    assert curve.meander.figures.stop_reason == "converged"
+
+
+def turned(sheet: bpy.types.Object) -> None:
+    sheet.matrix_world = Matrix.Translation((3.0, 1.0, 2.0)) @ Euler((0.4, -1.1, 2.0)).to_matrix(
+    ).to_4x4()  # fmt: skip
+
+
+def test_wherever_the_sheet_lies_its_line_is_corrected(art: Path) -> None:
+    sheet = drawn(art, **ART, fill=False)
+    turned(sheet)
+    assert error_of(scenes.fill(sheet, sheet.meander.spacing), art) <= NEAR
+
+
+def test_a_line_that_is_filled_again_is_corrected_anew(art: Path) -> None:
+    first = drawn(art, **ART)
+    points = scenes.world_splines(first)[0][0]
+    assert bpy.ops.meander.run(restart=True) == {"FINISHED"}
+    again = bpy.context.view_layer.objects.active
+    assert np.array_equal(scenes.world_splines(again)[0][0], points)
+
+
+def test_a_sheet_that_was_bent_has_the_line_of_one_run(art: Path) -> None:
+    sheet = drawn(art, **ART, fill=False)
+    sheet.modifiers.new("Ball", "CAST").factor = 1.0
+    watched = begin(sheet, sheet.meander.spacing)
+    assert watched.plan.problem.tones is None
+    watched.end()
+
+
+def test_a_correction_is_part_of_the_run_that_is_watched(art: Path, windowed) -> None:
+    sheet = drawn(art, **ART, fill=False)
+    blocking = scenes.world_splines(scenes.fill(sheet, sheet.meander.spacing))[0][0]
+    watched, seen = begin(sheet, sheet.meander.spacing), []
+
+    def look_on() -> bool:
+        seen.append((watched.progress(), watched.phase_text(), watched.shown_points))
+        return False
+
+    tick_until(watched, look_on)
+    shares = [progress for progress, _phase, _points in seen]
+    assert shares == sorted(shares) and shares[-1] <= 1.0
+    corrected = [points for _progress, phase, points in seen if phase == "Correcting tones"]
+    assert corrected and min(corrected) > 0, "the line is seen meanwhile"
+    result, _figures = watched.keep(bpy.context)
+    watched.end()
+    assert np.array_equal(scenes.world_splines(result)[0][0], blocking)
+
+
+def test_escape_takes_back_a_correction_and_continue_goes_on_with_it(art: Path, windowed) -> None:
+    sheet = drawn(art, **ART, fill=False)
+    whole = scenes.world_splines(scenes.fill(sheet, sheet.meander.spacing))[0][0]
+    bpy.data.objects.remove(sheet.meander.last_result)
+    before = scenes.counts()
+    watched = begin(sheet, sheet.meander.spacing)
+    tick_until(watched, lambda: watched.phase_text() == "Correcting tones")
+    watched.suspend()
+    assert scenes.counts() == before
+    kept = suspended.run_of(sheet)
+    assert kept is not None and 0.4 < kept.progress < 1.0
+    scenes.activate(sheet)
+    assert bpy.ops.meander.resume() == {"FINISHED"}
+    assert np.array_equal(scenes.world_splines(sheet.meander.last_result)[0][0], whole)
 
 
 def refused(path: object) -> str:

@@ -73,7 +73,7 @@ class Wish:
 
     def applied(self, plan: Plan) -> Plan:
         """The plan of a run that has taken it."""
-        problem = replace(plan.problem, options=self.options, density=self.density)
+        problem = plan.problem.revised(self.options, self.density)
         return replace(
             plan,
             problem=problem,

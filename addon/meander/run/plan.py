@@ -35,6 +35,7 @@ from ..scene.linked_settings import settings_of
 from ..scene.look import Look
 from ..scene.meshes import loose_edge_count, triangles_of
 from ..scene.options import options_of
+from ..scene.picture import tones_of
 from ..scene.preparation import (
     mask_of,
     repair_of,
@@ -145,6 +146,7 @@ def _plan_of(
     problem.copies = shown.sizes if len(shown.sizes) else None
     matrix = matrix_of(surface, depsgraph)
     _ask_more(problem, settings, matrix)
+    problem.tones = tones_of(choice, problem, matrix, settings.bevel_share)
     plan = Plan(
         problem=problem,
         home=HomeScene(scene, depsgraph.view_layer),

@@ -68,6 +68,7 @@ class Session:
             self.plan, self.stepper = suspended_run.plan, suspended_run.stepper
             self.latest = suspended_run.latest
             self._meaning = suspended_run.meaning
+        self.stepper.rounding = lambda: tolerance_for(self.plan)
         self._remaining = Remaining()
         self._shown = True  # whether the view has what is in `latest`
         # A curve that fills the surface from its start is drawn strand by strand, as with a pen:
@@ -115,7 +116,8 @@ class Session:
         if seconds is None:
             found = estimate.of_plan_or_none(self.plan)
             seconds = None if found is None else found.seconds
-        return None if seconds is None else seconds * (1.0 - self.progress())
+        left = self.stepper.costs * (1.0 - self.progress())
+        return None if seconds is None else seconds * left
 
     def _take_the_place(self) -> None:
         """A run that begins takes the place of the one before it, and of what is drawn."""
@@ -153,16 +155,17 @@ class Session:
             self._pictured = self.ticked
         if text_due:
             self._window.show(context, self.progress_text(), self.progress())
-        return self._wish is not None or not self.stepper.finished or self._goes_on_stiffer()
+        return self._wish is not None or not self.stepper.finished or self._goes_on()
 
-    def _goes_on_stiffer(self) -> bool:
-        """Lets a run that has ended go on where its curve bends too sharply."""
+    def _goes_on(self) -> bool:
+        """Lets a run that has ended go on where its curve is not all that was asked for."""
         if self.stop_wanted:
             return False
         self.stepper.join()
-        if self.stepper.failed or not self.stepper.stiffened():
+        if self.stepper.failed or not self.stepper.goes_on():
             return False
-        self._remaining = Remaining()
+        # What is left of a picture has its corrections in it.
+        self._remaining = self._remaining if self.plan.problem.tones else Remaining()
         self.stepper.start()
         return True
 
@@ -222,7 +225,7 @@ class Session:
         if self.stepper.failed:
             return
         self._apply(wish)
-        self._remaining = Remaining(None if self._wished is None else self._wished.seconds)
+        self._remaining = Remaining(self._wished.seconds if self._wished else None)
         self.stepper.start()
 
     def _apply(self, wish: live.Wish) -> None:
@@ -234,10 +237,8 @@ class Session:
         except core.MeanderError as error:
             self.refusal, self.refused = str(error), wish.asker
             return
-        self.stepper.stiffening.best = None
         self.plan, self.whole = wish.applied(self.plan), False
-        asker = wish.asker.find()
-        if asker is not None:
+        if (asker := wish.asker.find()) is not None:
             self.plan = with_looks(self.plan, settings_of(asker))
 
     def run(self) -> None:
@@ -337,7 +338,6 @@ class Session:
 
     def _keep(self, context: bpy.types.Context) -> tuple[bpy.types.Object, dict[str, Any]]:
         try:
-            self.stepper.rounding = tolerance_for(self.plan)
             outcome = self.stepper.result()
         except core.MeanderError as error:
             explain_refusal(self.plan, error)
@@ -363,7 +363,8 @@ class Session:
                 self.plan, problem=problem, result=Key(result), from_surface=True
             )
             live.keep(SuspendedRun(self.plan, self.stepper, self.latest, self._meaning))
-        usual = self.plan.from_surface and self.whole and self.plan.problem.is_plain
+        simple = self.plan.problem.is_plain and self.plan.problem.tones is None
+        usual = self.plan.from_surface and self.whole and simple
         if stop_reason == "converged" and usual:
             options = self.plan.problem.options
             estimate.speeds.learn(options, figures["nodes"], figures["seconds_total"])

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 import tempfile
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -24,7 +25,9 @@ from ..model.files.whole import FileError
 from ..model.least_bend import Stiffening, sharpest_bend
 from ..model.mirror import Half
 from ..model.opening import open_flow
+from ..model.picture.correction import COSTS, Correction
 from ..model.problem import Problem
+from ..model.toolpaths.toolpath import strands_of
 from ..model.whole import whole_of
 
 # A watched run keeps its curve whenever that has grown by this share of what it is going to be, as
@@ -44,6 +47,17 @@ class Snapshot:
     progress: float  # how far the run is, in [0, 1]; core.Context.progress
     phase: str  # what it is about; core.Context.phase
     kept: int = 0  # how many copies of growth come after this one
+
+
+@dataclass(frozen=True)
+class _Line:
+    """What a run has ended with: its outcome, and what the stepper tells of it besides."""
+
+    outcome: tuple[Snapshot, dict[str, Any], str]
+    gaps: core.Gaps | None
+    guides: np.ndarray
+    point_data: core.PointData
+    drawn: tuple[core.Polylines, core.PointData] | None
 
 
 class Stepper:
@@ -72,9 +86,9 @@ class Stepper:
         self.gaps: core.Gaps | None = None
         self.guides: np.ndarray | None = None
         self.point_data: core.PointData | None = None  # of every point
-        # How far from the curve it is drawn to be round, in spacings, for whoever wants that; and
-        # of the result the drawn line with the data of its points, where that is not 0.
-        self.rounding = 0.0
+        # Says how far from the curve it is drawn to be round, in spacings, for whoever wants that;
+        # and of the result the drawn line with the data of its points, where that is not 0.
+        self.rounding: Callable[[], float] = lambda: 0.0
         self.drawn: tuple[core.Polylines, core.PointData] | None = None
         # Of a problem of which a part is solved: what a whole is made of. Of its result: the strand
         # of the seed that each strand came from, and why they are several lines; else None and
@@ -83,6 +97,9 @@ class Stepper:
         self.sources: np.ndarray | None = None
         self.lines_why = ""
         self.stiffening = Stiffening(problem.least_bend_radius)
+        # Of a picture: what its line is corrected by, and the line before the last correction.
+        self._correction = None if problem.tones is None else Correction(problem.tones)
+        self._before: _Line | None = None
         self.surface_figures: dict[str, Any] = {}  # of core.Surface.statistics(), once prepared
         # Of the library, while the run was going.
         self._progress, self._phase = 0.0, "none"
@@ -107,7 +124,7 @@ class Stepper:
         try:
             self._begin()
             self._stop_reason = self._flow.run(self._context)
-            while self.stiffened():
+            while self.goes_on():
                 self._stop_reason = self._flow.run(self._context)
         except Exception as error:
             self._note(error)
@@ -162,6 +179,11 @@ class Stepper:
         cancelled = self._stop_reason == "cancelled" and not self.defect
         return not self._started and self._error is None and cancelled
 
+    @property
+    def costs(self) -> float:
+        """What may have to be run in all, in times of the first run."""
+        return 1.0 if self._correction is None else COSTS
+
     def poll(self) -> Snapshot | None:
         """The oldest copy of growth that is left, else the newest copy, once; None while there is
         none. Never waits.
@@ -171,8 +193,13 @@ class Stepper:
         if not self._started:
             return None
         preview, progress = self._flow.preview(), self._context.progress
+        before = self._progress
         if self._flow.running:  # at the end the library says 1, also of a run that was cancelled
             self._progress, self._phase = progress, self._context.phase
+            if self._correction is not None:
+                # What goes on says 0 until its first iteration.
+                self._progress = max(before, self._correction.progress(progress))
+                self._phase = "correction" if self._correction.made else self._phase
         if preview is not None and self._part is not None:
             preview = preview._replace(
                 polylines=self._part.shown(preview.polylines),
@@ -182,11 +209,18 @@ class Stepper:
         return None if preview is None else self._snapshot(*preview)
 
     def revise(self, options: core.FlowOptions, density: np.ndarray | None) -> None:
-        """Asks the flow for other options and another density; the run that follows takes them.
+        """Asks the flow for other options and another density; the run that follows takes them,
+        and begins anew what goes on by itself.
 
         Between two runs only. Raises core.MeanderError where the library refuses either; the flow
         then has neither.
         """
+        self._revise(options, density)
+        self.stiffening.best = self._before = None
+        tones = self.problem.tones
+        self._correction, self._progress = None if tones is None else Correction(tones), 0.0
+
+    def _revise(self, options: core.FlowOptions, density: np.ndarray | None) -> None:
         before, taken, of_flow = self._opened.options, options, density
         if self._part is not None:
             taken = self._part.options_of(options)
@@ -198,16 +232,20 @@ class Stepper:
             self._flow.set_options(before)
             raise
         self.density = density
-        self.problem = replace(self.problem, options=options, density=density)
+        self.problem = self.problem.revised(options, density)
         self._opened = replace(self._opened, options=taken, density=of_flow)
         if self._part is not None:
             self._part = replace(self._part, density=density)
 
-    def stiffened(self) -> bool:
-        """Makes a curve stiffer that bends more sharply than it may; False where it does not.
+    def goes_on(self) -> bool:
+        """Asks for more where a curve bends more sharply than it may, or has not the tones of its
+        picture; False where there is no more to ask for.
 
         Between two runs only; the run that follows lets it go on.
         """
+        return self._stiffened() or self._corrected()
+
+    def _stiffened(self) -> bool:
         if not self.stiffening.least or self._flow is None or self._stop_reason == "cancelled":
             return False
         options = self.problem.options
@@ -215,11 +253,25 @@ class Stepper:
             bend = sharpest_bend(self._flow.polylines(), options.radius)
             following = self.stiffening.following(bend, options)
             if following is not None:
-                self.revise(following, self.density)
+                self._revise(following, self.density)
         except Exception as error:
             self._note(error)
             return False
         return following is not None
+
+    def _corrected(self) -> bool:
+        if self._correction is None or self._stop_reason != "converged":
+            return False
+        try:
+            self._correction.measure(strands_of(self._flow.polylines()))
+            density = self._correction.following()
+            if density is not None:
+                self._before = self._line_of(self._flow, self._flow.statistics())
+                self._flow.set_density(density)
+        except Exception as error:
+            self._note(error)
+            return False
+        return density is not None
 
     @property
     def failed(self) -> bool:
@@ -248,21 +300,22 @@ class Stepper:
         self.join()
         if self._error is not None:
             raise self._error
+        line = self._line()
+        self.gaps, self.guides = line.gaps, line.guides
+        self.point_data, self.drawn = line.point_data, line.drawn
+        return line.outcome
+
+    def _line(self) -> _Line:
+        if self._before is not None and not self._correction.nearest:
+            return self._before
         if self._part is None:
-            return self._outcome(self._flow, self._flow.statistics())
+            return self._line_of(self._flow, self._flow.statistics())
         whole = whole_of(self._part, self._flow, self.problem.options)
         self.sources, self.lines_why = whole.sources, whole.why
         with whole.flow as flow:
-            return self._outcome(flow, whole.figures)
+            return self._line_of(flow, whole.figures)
 
-    def _outcome(
-        self, flow: core.Flow, statistics: dict[str, Any]
-    ) -> tuple[Snapshot, dict[str, Any], str]:
-        # One that was stopped by hand has them everywhere, and finding them all takes seconds.
-        self.gaps = None if self._stop_reason == "cancelled" else flow.gaps()
-        self.guides = flow.guides()
-        self.point_data = flow.point_data()
-        self.drawn = flow.rounded(self.rounding) if self.rounding else None
+    def _line_of(self, flow: core.Flow, statistics: dict[str, Any]) -> _Line:
         snapshot = self._snapshot(
             flow.polylines(),
             statistics["iterations"],
@@ -270,7 +323,15 @@ class Stepper:
             statistics["length"],
             statistics["seconds_total"],
         )
-        return snapshot, statistics, self._stop_reason
+        rounding = self.rounding()
+        return _Line(
+            (snapshot, statistics, self._stop_reason),
+            # One that was stopped by hand has them everywhere, and finding them all takes seconds.
+            None if self._stop_reason == "cancelled" else flow.gaps(),
+            flow.guides(),
+            flow.point_data(),
+            flow.rounded(rounding) if rounding else None,
+        )
 
     def _snapshot(
         self,

@@ -8,6 +8,8 @@ import bpy
 from .. import core
 from ..model.options.option import apply, chosen
 from ..model.options.table import OF_THE_FLOW, in_panel
+from ..model.picture.line import as_drawn
+from .picture import SPACING
 from .preferences import preferred
 
 # The switch of the settings that say how strands are shaped.
@@ -28,6 +30,8 @@ def options_of(settings: bpy.types.PropertyGroup, spacing: float) -> core.FlowOp
     for option in in_panel("Preferences"):
         values[option.setting] = values[option.setting] or preferred(option.setting) or None
     apply(OF_THE_FLOW, values, options)
+    if (settings.density_source, settings.density_attribute) == ("ATTRIBUTE", SPACING):
+        as_drawn(options)
     return options
 
 

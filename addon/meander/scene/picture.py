@@ -8,15 +8,24 @@ from pathlib import Path
 import bpy
 import numpy as np
 
+from ..model.density import Choice
 from ..model.files.whole import FileError
+from ..model.picture.correction import Tones
 from ..model.picture.image import Image, image_of
 from ..model.picture.line import Plan, Wishes
+from ..model.picture.sheet import Grid
+from ..model.picture.tone import Tone
+from ..model.problem import Problem
 from .blender_versions import add_triangles
+from .transforms import to_local
 
 # On the sheet: how many times the spacing a place has, and along what its rows lie.
 SPACING, DIRECTION = "Picture Spacing", "Picture Direction"
 # The settings' factors of the spacing go no further, and the least spacing has this one.
 _LEAST, _GREATEST, _ONE = 0.05, 5.0, 0.3
+# What was made as a grid is one in single precision: so far from its places points may be, in
+# cells, and axes from a right angle.
+_NEAR = 0.01
 
 
 def read_picture(path: Path) -> Image:
@@ -92,3 +101,63 @@ def new_sheet(
         settings.alignment_source, settings.alignment_attribute = "ATTRIBUTE", DIRECTION
         settings.alignment_weight = problem.options.alignment_weight
     return thing
+
+
+def tones_of(
+    choice: Choice, problem: Problem, matrix: np.ndarray, line_share: float
+) -> Tones | None:
+    """What the line of a sheet is to have; None: it is no picture, or not flat any more.
+
+    choice      of the density of the problem, which is in world units
+    matrix      of the sheet
+    line_share  half the width of the line, in spacings
+    """
+    if (choice.source, choice.name) != ("ATTRIBUTE", SPACING) or not _is_plain(problem):
+        return None
+    axes = matrix[:3, :2]
+    scale = np.linalg.norm(axes, axis=0)
+    corners = to_local(problem.vertices, matrix)
+    found = _grid_of(corners * [*scale, float(scale.mean())], problem.faces)
+    if found is None or abs(axes[:, 0] @ axes[:, 1]) > _NEAR * scale[0] * scale[1]:
+        return None
+    grid, places = found
+    onto = np.eye(4)
+    onto[:3, :3] = np.diag([*scale, 1.0]) @ np.linalg.inv(matrix[:3, :3])
+    onto[:2, 3] = -(corners[:, :2].min(axis=0) * scale)
+    onto[:3, 3] -= onto[:3, :3] @ matrix[:3, 3]
+    one = 2.0 * line_share
+    share = np.zeros((grid.cells[1] + 1) * (grid.cells[0] + 1))
+    share[places] = one * np.sqrt(problem.density)
+    reach = share[places]
+    tone = Tone(
+        darkest=max(Tone.darkest, float(reach.max())),
+        lightest=min(Tone.lightest, float(reach.min())),
+    )
+    share = share.reshape(grid.cells[1] + 1, grid.cells[0] + 1)
+    return Tones(grid, share, places, one, one * 2.0 * problem.options.radius, tone, onto)
+
+
+def _is_plain(problem: Problem) -> bool:
+    """Whether nothing is asked for that asks for another line than the tones do."""
+    prepared = problem.surface_options
+    masked = prepared is not None and (
+        prepared.face_mask is not None or prepared.vertex_mask is not None
+    )
+    return not masked and problem.is_plain and not problem.least_bend_radius
+
+
+def _grid_of(corners: np.ndarray, faces: np.ndarray) -> tuple[Grid, np.ndarray] | None:
+    """The grid that points are places of, in the plane of x and y, and the place of each; None:
+    they are none."""
+    ends = corners[faces]
+    cell = np.abs(ends - np.roll(ends, 1, axis=1)).max(axis=(0, 1))
+    low = corners.min(axis=0)
+    if not (cell[:2] > 0.0).all() or np.ptp(corners[:, 2]) > _NEAR * cell[:2].min():
+        return None
+    steps = (corners[:, :2] - low[:2]) / cell[:2]
+    whole = np.rint(steps).astype(np.int64)
+    across, down = (max(2, int(count)) for count in whole.max(axis=0))
+    places = (down - whole[:, 1]) * (across + 1) + whole[:, 0]
+    if np.abs(steps - whole).max() > _NEAR or len(np.unique(places)) < len(places):
+        return None
+    return Grid((across * float(cell[0]), down * float(cell[1])), (across, down)), places
