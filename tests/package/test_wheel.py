@@ -214,9 +214,13 @@ def test_the_packed_sources_are_all_that_a_build_needs(
     for command in (
         ["cmake", "-S", sources, "-B", build, "-G", "Ninja", *options],
         ["ninja", "-C", build, "-n", *settings["build"]["targets"]],
+        ["ninja", "-C", build, "abi"],
     ):
         done = subprocess.run(command, capture_output=True, text=True, timeout=120)
         assert done.returncode == 0, done.stdout + done.stderr
+    with zipfile.ZipFile(wheel) as archive:
+        module = archive.read("meander/binding/abi.py")
+    assert (sources / "addon/meander/binding/abi.py").read_bytes() == module
     installed = (build / "cmake_install.cmake").read_text()
     for name in ("core.py", "abi.py", "libmeander"):
         assert name in installed
