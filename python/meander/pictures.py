@@ -20,7 +20,7 @@ from .model.picture import line
 from .model.picture.drawn import preview
 from .model.picture.image import Image, image_of, read_image
 from .model.picture.inks import INKS
-from .model.picture.page import pieces_of_page
+from .model.picture.page import of_ink, pieces_of_page
 from .model.picture.tone import TONES, Tone, light_of
 
 _TONE = {field.name for field in fields(Tone)} - {"kind"}
@@ -79,8 +79,9 @@ class Drawing:
     def write(self, path: str | Path, *, margin: float = 0.0, **drawing: Any) -> None:
         """Writes the drawing in the format of the file's suffix.
 
-        path      .svg, .dxf, .gcode, .nc, .ngc, .dst or .pes. An .svg has a layer for each ink;
-                  of the others each is a file of its own, NAME_INK
+        path      one of those of `write_curve` that are no .obj and no table. An .svg has a layer
+                  for each ink; of the others each is a file of its own, NAME_INK. A scene and
+                  poses are in metres, and a scene's line is as wide as the pen
         margin    of white on all sides, in millimetres
         drawing   as in `write_curve`, but for what a picture decides: layout, unit, scale, size,
                   line_width, force
@@ -96,14 +97,14 @@ class Drawing:
         for name in ("layout", "unit", "scale", "size", "line_width", "force"):
             if name in drawing:
                 raise FileError(f"{name} does nothing for a picture; leave it out")
-        values = drawing_values(path.suffix.lower(), kind, drawing)
+        values = drawing_values(export.suffix_of(path), kind, drawing)
         values |= {"layout_as": "top", "line_width": self.pen}
+        if "thickness" not in drawing:
+            values["thickness"] = None
         sides = [side + 2.0 * margin for side in self.sides]
         files = {path: self._layers}
         if kind.name != "SVG" and len(self._layers) > 1:
-            files = {
-                path.with_stem(f"{path.stem}_{layer.plan.name}"): [layer] for layer in self._layers
-            }
+            files = {of_ink(path, layer.plan.name): [layer] for layer in self._layers}
         for each, layers in files.items():
             with whole_file(each) as temporary:
                 write_pieces(temporary, pieces_of_page(each, layers, sides, margin, values))

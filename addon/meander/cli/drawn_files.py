@@ -20,6 +20,7 @@ from ..model.picture.page import (
     curve_of,
     drawing_of,
     moved,
+    of_ink,
     pieces_of_page,
     pieces_of_sheet,
     sheets_of_file,
@@ -29,7 +30,7 @@ from ..model.report import write_report
 from ..model.sheets import described, entry, file_of
 from . import sheets as sheet_options
 from . import standard
-from .wishes import PREVIEWS, file_values, in_one_file, of_ink
+from .wishes import PREVIEWS, file_values, in_one_file
 
 _PREVIEW_SIZE = 2000
 

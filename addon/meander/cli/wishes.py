@@ -17,6 +17,7 @@ from ..model.options.table import BY_SETTING
 from ..model.picture import line
 from ..model.picture.image import is_there, missing_text
 from ..model.picture.inks import INKS
+from ..model.picture.page import of_ink
 from ..model.toolpaths import embroidery
 from . import flags, limits, sheets, standard, tone
 from .place import Place
@@ -191,7 +192,7 @@ def check(arguments: argparse.Namespace, place: Place) -> None:
 
 
 def _check_kinds(arguments: argparse.Namespace) -> None:
-    suffix = arguments.output.suffix.lower()
+    suffix = export.suffix_of(arguments.output)
     if suffix not in OUTPUTS:
         raise BadInput(
             f"--output {arguments.output} is no {', '.join(OUTPUTS[:-1])} or {OUTPUTS[-1]} file"
@@ -223,11 +224,6 @@ def _check_kinds(arguments: argparse.Namespace) -> None:
 def in_one_file(arguments: argparse.Namespace) -> bool:
     """Whether all inks are in one file."""
     return arguments.output.suffix.lower() in (".svg", *PREVIEWS)
-
-
-def of_ink(path: Path, name: str) -> Path:
-    """The file of one of several inks."""
-    return path.with_stem(f"{path.stem}_{name}")
 
 
 def _named_files(arguments: argparse.Namespace) -> list[Path]:
@@ -279,4 +275,5 @@ def file_values(arguments: argparse.Namespace) -> dict[str, Any]:
     """What model.options.export has for the file, by setting."""
     given = {row.setting: getattr(arguments, row.flag.destination) for row in FILE_ROWS}
     chosen = {name: value for name, value in given.items() if value is not None}
-    return export.DEFAULTS | chosen | {"layout_as": "top", "line_width": arguments.pen}
+    decided = {"layout_as": "top", "line_width": arguments.pen, "thickness": None}
+    return export.DEFAULTS | decided | chosen

@@ -12,8 +12,9 @@ import numpy as np
 from ... import core
 from .. import export
 from ..options.option import Values
-from ..toolpaths import embroidery
-from ..toolpaths.drawing import Drawing
+from ..toolpaths import embroidery, lights
+from ..toolpaths.drawing import UNITS, Drawing
+from ..toolpaths.drawing import moved as as_long_as
 from ..toolpaths.sheets import Paper, Sheet, Sheets, sheets_of
 from ..toolpaths.svg import page_pieces
 from ..toolpaths.toolpath import Strand
@@ -32,25 +33,45 @@ def pieces_of_page(
     path      for its suffix and its title
     layers    of inks; of an .svg they are its layers
     sides     width and height of the page, in millimetres
-    values    of options.export.ROWS, by setting
+    values    of options.export.ROWS, by setting; a line has the width of the pen where it has no
+              thickness
 
     Raises FileError for what is no drawing.
     """
-    kind, title, version = export.format_of(path), path.stem, core.library_version()
+    kind, version = export.format_of(path), core.library_version()
+    title, suffix = named(path)
     drawing = drawing_of(layers, margin)
+    if values["thickness"] is None:
+        values = values | {"thickness": values["line_width"] / drawing.spacing}
+    if kind.unit == "m":
+        drawing = _in_metres(drawing)
     if kind.name in ("DST", "PES"):
         stitches = (values[f"stitch_{name}"] for name in ("length", "tolerance", "least"))
         drawing = embroidery.stitched(drawing, *stitches)
+    elif "pitch" in kind.options:
+        drawing = lights.placed(drawing, values["pitch"])
     elif values["arc_tolerance"] > 0.0:
         drawing = drawing.with_arcs(values["arc_tolerance"])
     if kind.name != "SVG":
-        return export.pieces_of(kind, drawing, values, title, version, path.suffix)
+        return export.pieces_of(kind, drawing, values, title, version, suffix)
     shown = [
         (layer.plan.name, [moved(strand, margin) for strand in layer.strands]) for layer in layers
     ]
     colours = [layer.plan.colour for layer in layers]
     width = values["line_width"]
     return page_pieces(shown, sides, width, title, version, colours, drawing.moves)
+
+
+def named(path: Path) -> tuple[str, str]:
+    """What a file is called, and the end of its name that says its kind."""
+    length = len(export.suffix_of(path))
+    return path.name[:-length], path.name[-length:]
+
+
+def of_ink(path: Path, name: str) -> Path:
+    """The file of one of several inks."""
+    title, suffix = named(path)
+    return path.with_name(f"{title}_{name}{suffix}")
 
 
 def drawing_of(layers: Sequence[Layer], margin: float) -> Drawing:
@@ -122,6 +143,12 @@ def pieces_of_sheet(
         moves = replace(drawing, strands=strands).with_arcs(tolerance).moves
     width = values["line_width"]
     return page_pieces(shown, page.sides, width, path.stem, version, colours, moves)
+
+
+def _in_metres(drawing: Drawing) -> Drawing:
+    factor = UNITS[drawing.unit]
+    strands = [as_long_as(strand, np.zeros(3), factor) for strand in drawing.strands]
+    return Drawing(strands, "m", True, drawing.spacing * factor, of_scene_unit=factor)
 
 
 def moved(strand: Strand, margin: float) -> Strand:
