@@ -141,6 +141,71 @@ def test_colours_of_a_tiff_keep_their_sixteen_bits(tmp_path, depth, order, packe
         assert np.array_equal((found.opacity * 65535).round().astype(int), values[..., 3])
 
 
+def png(values: np.ndarray, *chunks: tuple[bytes, bytes]) -> bytes:
+    """A PNG of 16 bits a channel, with chunks before its pixels."""
+    height, width, depth = values.shape
+    rows = b"".join(b"\0" + row.astype(">u2").tobytes() for row in values)
+    kind = {1: 0, 2: 4, 3: 2, 4: 6}[depth]
+    head = struct.pack(">IIBBBBB", width, height, 16, kind, 0, 0, 0)
+    parts = [(b"IHDR", head), *chunks, (b"IDAT", zlib.compress(rows)), (b"IEND", b"")]
+    return b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+        for name, data in parts
+    )
+
+
+@pytest.mark.parametrize("depth", [1, 2, 3, 4])
+def test_a_png_keeps_its_sixteen_bits_and_its_opacity(tmp_path, depth):
+    pytest.importorskip("PIL")
+    values = (np.arange(20 * 30 * depth).reshape(20, 30, depth) * 37 % 65536).astype(np.uint16)
+    (tmp_path / "deep.png").write_bytes(png(values))
+    found = image.read_image(tmp_path / "deep.png")
+    colours = (found.colours * 65535).round().astype(int)
+    assert np.array_equal(colours, np.broadcast_to(values[..., : 1 if depth < 3 else 3], (20, 30, 3)))
+    if depth in (2, 4):
+        assert np.array_equal((found.opacity * 65535).round().astype(int), values[..., -1])
+
+
+@pytest.mark.parametrize("depth", [1, 3])
+def test_a_colour_that_stands_for_nothing_has_no_line(tmp_path, depth):
+    """Also one of 16 bits, and nothing that is near it."""
+    pytest.importorskip("PIL")
+    values = np.full((20, 30, depth), 30001, dtype=np.uint16)
+    values[:, :10] = 30000
+    key = struct.pack(f">{depth}H", *[30000] * depth)
+    (tmp_path / "key.png").write_bytes(png(values, (b"tRNS", key)))
+    found = image.read_image(tmp_path / "key.png")
+    assert np.array_equal(found.opacity, np.where(np.arange(30) < 10, 0.0, 1.0) * np.ones((20, 1)))
+
+
+def test_numbers_that_are_not_from_0_to_1_are_a_sentence(tmp_path):
+    with pytest.raises(FileError, match=r"values up to 255, .* divide them by 255"):
+        image.image_of(RAMP.astype(float))
+    with pytest.raises(FileError, match="values from -20"):
+        image.image_of(RAMP / 255.0 - 20.0)
+    # As resampling leaves them beside edges.
+    over = image.image_of(RAMP / 255.0 * 1.2 - 0.1)
+    assert (over.colours.min(), over.colours.max()) == (0.0, 1.0)
+    pytest.importorskip("PIL")
+    from PIL import Image
+
+    Image.fromarray(RAMP.astype(np.float32)).save(tmp_path / "float.tif")
+    Image.fromarray(RAMP.astype(np.int32) * 100_000).save(tmp_path / "long.tif")
+    for name, said in (("float.tif", "float.tif has values up to 255"), ("long.tif", "32 bits")):
+        with pytest.raises(FileError, match=said):
+            image.read_image(tmp_path / name)
+
+
+def test_a_sheet_narrower_than_the_pen_has_no_room():
+    with pytest.raises(FileError, match="40 x 0.4 mm has no room for a strand of a pen of 1 mm"):
+        plan_of(np.full((1, 100), 100, np.uint8))
+
+
+def test_a_pen_that_is_far_too_fine_is_said_in_the_words_of_a_picture():
+    with pytest.raises(FileError, match="has too many lines on 40 x 30 mm; choose a wider pen"):
+        line.plans_of(image.image_of(RAMP), line.Wishes(width=40.0, pen=1e-6))
+
+
 @pytest.mark.parametrize("content", [b"", b"no picture\n", b"\x89PNG\r\n\x1a\n"])
 def test_what_is_no_picture_is_said_to_be_none(tmp_path, content):
     pytest.importorskip("PIL")

@@ -21,6 +21,10 @@ _MOST_PIXELS = 200_000_000
 # How a file of 16 bits has its bytes, as Pillow calls it, and the other way round. What is packed
 # comes in the order of the machine, whose low byte is first wherever Meander runs.
 _OTHER_ORDER = {";16B": "L", ";16L": "B", ";16N": "B"}
+# Grey of 16 bits with opacity, of which Pillow knows no other order: as many bytes as four colours.
+_DEEP_GREY, _BYTES = "LA;16B", "RGBA"
+# Resampling leaves numbers beside edges that are beyond 0 and 1, but not by more.
+_BEYOND = 1.0
 # How far a blur looks, in standard deviations.
 _REACH = 4.0
 
@@ -70,8 +74,7 @@ def image_of(pixels: ArrayLike) -> Image:
         values = values.astype(np.float32)
     else:
         raise FileError(f"an array of {values.dtype} is no picture; give numbers")
-    if not np.isfinite(values).all():
-        raise FileError("the picture has values that are not finite numbers; correct them")
+    _check_range(values)
     values = values.clip(0.0, 1.0)
     depth = values.shape[2]
     opacity = values[..., -1] if depth in (2, 4) else None
@@ -79,6 +82,23 @@ def image_of(pixels: ArrayLike) -> Image:
         opacity = None
     colours = values[..., :1] if depth < 3 else values[..., :3]
     return Image(np.broadcast_to(colours, (*values.shape[:2], 3)), opacity)
+
+
+def _check_range(values: NDArray[np.float32]) -> None:
+    """Raises FileError for numbers that are not from 0 to 1, or nearly."""
+    least, most = float(values.min()), float(values.max())
+    if not (np.isfinite(least) and np.isfinite(most)):
+        raise FileError("the picture has values that are not finite numbers; correct them")
+    if most > 1.0 + _BEYOND:
+        raise FileError(
+            f"the picture has values up to {most:g}, and numbers have to be from 0 to 1; divide "
+            f"them by {most:g}"
+        )
+    if least < -_BEYOND:
+        raise FileError(
+            f"the picture has values from {least:g}, and numbers have to be from 0 to 1; correct "
+            "them"
+        )
 
 
 def is_there() -> bool:
@@ -112,25 +132,33 @@ def read_image(path: str | Path) -> Image:
                     f"{path} has {opened.width * opened.height / 1e6:,.0f} million pixels, and "
                     f"{_MOST_PIXELS / 1e6:,.0f} million is the most; make it smaller"
                 )
-            return image_of(_turned(_pixels(opened, path), opened))
+            pixels = _turned(_pixels(opened, path), opened)
     except (OSError, SyntaxError, ValueError) as problem:
         raise FileError(
             f"{path} cannot be read as a picture ({problem}); save it as PNG, JPEG or TIFF"
         ) from problem
+    try:
+        return image_of(pixels)
+    except FileError as problem:
+        raise FileError(str(problem).replace("the picture", str(path), 1)) from problem
 
 
 def _pixels(opened: Any, path: str | Path) -> NDArray[Any]:
     """The pixels of a picture that Pillow has opened, as image_of() takes them."""
     from PIL import Image as pillow
 
-    deep = opened.mode in ("RGB", "RGBA") and _raw_mode(opened)[-4:] in _OTHER_ORDER
-    if deep:
+    raw = _raw_mode(opened)
+    if opened.mode in ("RGB", "RGBA") and raw[-4:] in _OTHER_ORDER:
         with pillow.open(path) as again:
-            return _deep(opened, again)
-    if opened.mode in ("I;16", "I;16B", "I;16L", "I;16N"):
-        return np.asarray(opened).astype(np.uint16)
-    if opened.mode == "I":
-        return np.asarray(opened).clip(0, 65535).astype(np.uint16)
+            if raw == _DEEP_GREY:
+                again.tile = [_read_as(tile, _BYTES) for tile in again.tile]
+                return np.ascontiguousarray(again).view(">u2").astype(np.uint16)
+            return _keyed(_deep(opened, again), opened)
+    if opened.mode.startswith("I"):
+        values = np.asarray(opened)
+        if values.max() > 65535 or values.min() < 0:
+            raise ValueError("its integers have 32 bits")
+        return _keyed(values.astype(np.uint16), opened)
     if opened.mode == "F":
         return np.asarray(opened)
     transparent = opened.mode in ("RGBA", "LA", "PA") or "transparency" in opened.info
@@ -149,22 +177,30 @@ def _raw_mode(opened: Any) -> str:
 def _deep(opened: Any, again: Any) -> NDArray[np.uint16]:
     """Colours of 16 bits, of which Pillow keeps the high byte: read as if the bytes stood the other
     way round, the high byte is the low one."""
-    again.tile = [_with_bytes_turned(tile) for tile in again.tile]
+    again.tile = [_read_as(tile, _in_other_order(_raw_mode(again))) for tile in again.tile]
     high, low = np.asarray(opened), np.asarray(again)
     return (high.astype(np.uint16) << 8) | low
 
 
-def _with_bytes_turned(tile: Any) -> Any:
+def _read_as(tile: Any, raw_mode: str) -> Any:
+    """A part of a file that Pillow is to read as if its pixels were another kind of bytes."""
     *where, arguments = tile
-    if isinstance(arguments, tuple):
-        turned: Any = (_in_other_order(arguments[0]), *arguments[1:])
-    else:
-        turned = _in_other_order(arguments)
-    return type(tile)(*where, turned) if hasattr(tile, "_fields") else (*where, turned)
+    changed = (raw_mode, *arguments[1:]) if isinstance(arguments, tuple) else raw_mode
+    return type(tile)(*where, changed) if hasattr(tile, "_fields") else (*where, changed)
 
 
 def _in_other_order(raw_mode: str) -> str:
     return raw_mode[:-1] + _OTHER_ORDER[raw_mode[-4:]]
+
+
+def _keyed(pixels: NDArray[np.uint16], opened: Any) -> NDArray[np.uint16]:
+    """Pixels of 16 bits with opacity, where the file names a colour that stands for nothing."""
+    key = opened.info.get("transparency")
+    if key is None or isinstance(key, bytes):
+        return pixels
+    pixels = pixels if pixels.ndim == 3 else pixels[..., None]
+    opaque = (pixels != np.array(key)).any(axis=-1, keepdims=True)
+    return np.concatenate([pixels, np.where(opaque, 65535, 0).astype(np.uint16)], axis=-1)
 
 
 def _turned(pixels: NDArray[Any], opened: Any) -> NDArray[Any]:

@@ -36,8 +36,8 @@ from .tone import Tone, Wanted, darkness_on_paper, grey_light, lightness, wanted
 # How a line may lie, and what it begins as.
 STYLES = ("portrait", "engraving", "scribble")
 
-# More places of a grid would need gigabytes, and no pen shows them.
-_MOST_PLACES = 30_000_000
+# More places of a grid would need gigabytes, and no pen shows them; more nodes the library refuses.
+_MOST_PLACES, _MOST_NODES = 30_000_000, 500_000_000
 # Cells, in widths of the line. By one run, a page of line art is .0246 off with 1 where it grows,
 # and .0203 in rows, with .7 .0184 and .0199, and with .5 .0199 in rows.
 _CELL = 0.7
@@ -200,10 +200,7 @@ def plans_of(image: Image, wishes: Wishes, mask: Image | None = None) -> list[Pl
     # pixel.
     cell = max(_CELL * pen, 0.5 * sides[0] / columns)
     if sides[0] * sides[1] / cell**2 > _MOST_PLACES:
-        raise FileError(
-            f"a pen of {pen:g} mm has too many lines on {sides[0]:g} x {sides[1]:.4g} mm; choose "
-            "a wider pen or a smaller width"
-        )
+        raise FileError(_too_fine(pen, sides))
     grid = grid_of(sides, min(cell, min(sides) / 2.0))
     down, across = grid.shares
     opaque = _opaque(image, mask, down, across)
@@ -284,10 +281,20 @@ def _plan(
     )
 
 
+def _too_fine(pen: float, sides: tuple[float, float]) -> str:
+    return (
+        f"a pen of {pen:g} mm has too many lines on {sides[0]:g} x {sides[1]:.4g} mm; choose a "
+        "wider pen or a smaller width"
+    )
+
+
 def _check_room(spacing: float, cells: NDArray[np.bool_], grid: Grid, pen: float) -> None:
-    """Refuses a sheet that a strand does not fit into. Raises FileError."""
+    """Refuses a sheet that a strand does not fit into, or too many. Raises FileError."""
     width, height = grid.sides
-    if spacing**2 > width * height * float(cells.mean()):
+    area = width * height * float(cells.mean())
+    if area / (0.5 * SEGMENT * spacing**2) > _MOST_NODES:
+        raise FileError(_too_fine(pen, grid.sides))
+    if spacing**2 > area or pen > min(width, height):
         raise FileError(
             f"{width:g} x {height:.3g} mm has no room for a strand of a pen of {pen:g} mm; choose "
             "a finer pen, a larger width or another part of the picture"
