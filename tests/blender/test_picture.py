@@ -18,6 +18,7 @@ from meander.model.picture.tone import Tone
 from meander.model.toolpaths.toolpath import strand_of
 from meander.run import suspended
 from meander.scene import look
+from meander.scene import picture as pictures
 from meander.scene.picture import DIRECTION, SPACING, read_picture
 from watched_runs import begin, tick_until
 
@@ -180,6 +181,54 @@ def test_escape_takes_back_a_correction_and_continue_goes_on_with_it(art: Path, 
     assert np.array_equal(scenes.world_splines(sheet.meander.last_result)[0][0], whole)
 
 
+def test_a_photograph_is_turned_as_its_camera_says_without_pillow(
+    tmp_path: Path, monkeypatch
+) -> None:
+    """Blender's own reader turns none."""
+    picture = bpy.data.images.new("high", 30, 60)
+    pixels = np.ones((60, 30, 4), dtype=np.float32)
+    pixels[:, :, :3] = np.linspace(0.1, 0.9, 60)[:, None, None]  # from the foot, dark, to the top
+    picture.pixels.foreach_set(pixels.ravel())
+    picture.filepath_raw, picture.file_format = str(tmp_path / "high.jpg"), "JPEG"
+    picture.save()
+    data = (tmp_path / "high.jpg").read_bytes()
+    # A camera that was held upright: its top is on the right of the file (6).
+    turn = b"Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0"
+    with_turn = data[:2] + b"\xff\xe1" + (len(turn) + 2).to_bytes(2, "big") + turn + data[2:]
+    (tmp_path / "turned.jpg").write_bytes(with_turn)
+    monkeypatch.setattr(pictures, "is_there", lambda: False)
+    found = read_picture(tmp_path / "turned.jpg")
+    assert found.sides == (60, 30)
+    # What was up in the file is on the right.
+    assert found.colours[15, 1, 1] == pytest.approx(0.1, abs=0.05)
+    assert found.colours[15, -2, 1] == pytest.approx(0.9, abs=0.05)
+
+
+def test_light_in_a_file_is_coded_as_other_pictures_are(tmp_path: Path) -> None:
+    picture = bpy.data.images.new("light", 40, 20, float_buffer=True)
+    picture.colorspace_settings.name = "Non-Color"  # the numbers as they are
+    pixels = np.ones((20, 40, 4), dtype=np.float32)
+    pixels[:, :20, :3], pixels[:, 20:, :3] = 0.2140, 7.0  # a middle grey, and brighter than white
+    picture.pixels.foreach_set(pixels.ravel())
+    picture.filepath_raw, picture.file_format = str(tmp_path / "light.exr"), "OPEN_EXR"
+    picture.save()
+    colours = read_picture(tmp_path / "light.exr").colours
+    assert colours[:, :20] == pytest.approx(0.5, abs=2e-3)
+    assert colours[:, 20:] == pytest.approx(1.0)
+
+
+def test_pillow_reads_where_it_is_there(ramp: Path) -> None:
+    """It knows more kinds of files, and says of one that is cut off that it is."""
+    pillow = pytest.importorskip("PIL.Image")
+    data = ramp.with_suffix(".jpg")
+    grey = np.tile(np.linspace(0, 255, 120).astype(np.uint8), (60, 1))
+    pillow.fromarray(grey).save(data, quality=95)
+    whole = data.read_bytes()
+    assert tuple(drawn(data, fill=False).dimensions[:2]) == pytest.approx((0.06, 0.03))
+    data.write_bytes(whole[: len(whole) // 2])
+    assert "cannot be read as a picture (image file is truncated" in refused(data)
+
+
 def refused(path: object) -> str:
     before = scenes.counts()
     with pytest.raises(RuntimeError) as caught:
@@ -188,19 +237,18 @@ def refused(path: object) -> str:
     return str(caught.value)
 
 
-def test_what_is_no_picture_is_refused(tmp_path: Path) -> None:
+def test_what_is_no_picture_is_refused(tmp_path: Path, monkeypatch) -> None:
     assert "No picture is chosen; choose a file" in refused("")
     path = tmp_path / "a.png"
     path.write_text("x")
     images = len(bpy.data.images)
+    monkeypatch.setattr(pictures, "is_there", lambda: False)
     assert "cannot be read as a picture; save it as" in refused(path)
     assert len(bpy.data.images) == images
 
 
 def test_the_command_reads_pictures_without_pillow(ramp: Path, tmp_path: Path, monkeypatch) -> None:
-    from meander.cli import place
-
-    monkeypatch.setattr(place, "is_there", lambda: False)
+    monkeypatch.setattr(pictures, "is_there", lambda: False)
     out = tmp_path / "out.svg"
     words = ("--picture", ramp, "--width", 30, "--pen", 1.5, "--output", out, "--quiet")
     assert batch.main([str(word) for word in words]) == 0

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from ..model.picture.image import Image, is_there, read_image
+from ..model.picture.image import Image, read_image
 from ..model.toolpaths import bridges, toolpath
 from .exit_code import while_heard
 from .grown import Grown
@@ -102,10 +102,9 @@ class Place:
         while_heard(print, line, file=sys.stderr, flush=True)
 
     def picture(self, path: Path) -> Image:
-        """The picture in a file, by Blender where Pillow is not installed. Raises FileError."""
-        if self.host is not None and not is_there():
-            return self.host.read_picture(path)
-        return read_image(path)
+        """The picture in a file, which Blender reads where Pillow is not installed. Raises
+        FileError."""
+        return read_image(path) if self.host is None else self.host.read_picture(path)
 
     def blender(self, what: object, reason: str = "") -> Host:
         """Blender. Raises BadInput where there is none.

@@ -11,10 +11,18 @@ import numpy as np
 from ..model.density import Choice
 from ..model.files.whole import FileError
 from ..model.picture.correction import Tones
-from ..model.picture.image import Image, image_of
+from ..model.picture.image import (
+    LINEAR,
+    Image,
+    image_of,
+    is_there,
+    read_image,
+    turn_of,
+    turned,
+)
 from ..model.picture.line import Plan, Wishes
 from ..model.picture.sheet import Grid
-from ..model.picture.tone import Tone
+from ..model.picture.tone import Tone, to_value
 from ..model.problem import Problem
 from .blender_versions import add_triangles
 from .transforms import to_local
@@ -29,11 +37,14 @@ _NEAR = 0.01
 
 
 def read_picture(path: Path) -> Image:
-    """The picture in a file; nothing of it stays in the scene. Blender does not turn photographs
-    as their cameras say.
+    """The picture in a file, by Pillow where it is installed, else as Blender reads it; nothing of
+    it stays in the scene.
 
-    Raises FileError where Blender cannot read it.
+    Raises FileError where it cannot be read.
     """
+    linear = path.suffix.lower() in LINEAR
+    if is_there() and not linear:
+        return read_image(path)
     image = None
     try:
         image = bpy.data.images.load(str(path.absolute()), check_existing=False)
@@ -45,8 +56,11 @@ def read_picture(path: Path) -> Image:
             raise RuntimeError("the image has no pixels")
         pixels = np.empty(width * height * image.channels, dtype=np.float32)
         image.pixels.foreach_get(pixels)
-        return image_of(pixels.reshape(height, width, image.channels)[::-1])
-    except RuntimeError as problem:
+        upright = turned(pixels.reshape(height, width, image.channels)[::-1], turn_of(path))
+        if linear:
+            upright[..., :3] = to_value(upright[..., :3].clip(0.0, 1.0))
+        return image_of(upright)
+    except (OSError, RuntimeError) as problem:
         raise FileError(
             f"{path} cannot be read as a picture; save it as PNG, JPEG or TIFF"
         ) from problem

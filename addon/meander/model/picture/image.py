@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from ..files.whole import FileError
 
 PACKAGE = "Pillow"
-SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".webp", ".bmp")
+# What holds light and no coded values, which Blender reads and Pillow does not.
+LINEAR = (".exr", ".hdr")
 
 # A picture of more pixels is refused: it would need several gigabytes.
 _MOST_PIXELS = 200_000_000
@@ -25,6 +26,8 @@ _OTHER_ORDER = {";16B": "L", ";16L": "B", ";16N": "B"}
 _DEEP_GREY, _BYTES = "LA;16B", "RGBA"
 # Resampling leaves numbers beside edges that are beyond 0 and 1, but not by more.
 _BEYOND = 1.0
+# Of Exif, and in how many bytes from the beginning of a file it is.
+_ORIENTATION, _HEAD = 0x0112, 1 << 18
 # How far a blur looks, in standard deviations.
 _REACH = 4.0
 
@@ -132,7 +135,7 @@ def read_image(path: str | Path) -> Image:
                     f"{path} has {opened.width * opened.height / 1e6:,.0f} million pixels, and "
                     f"{_MOST_PIXELS / 1e6:,.0f} million is the most; make it smaller"
                 )
-            pixels = _turned(_pixels(opened, path), opened)
+            pixels = turned(_pixels(opened, path), opened.getexif().get(_ORIENTATION, 1))
     except (OSError, SyntaxError, ValueError) as problem:
         raise FileError(
             f"{path} cannot be read as a picture ({problem}); save it as PNG, JPEG or TIFF"
@@ -203,9 +206,36 @@ def _keyed(pixels: NDArray[np.uint16], opened: Any) -> NDArray[np.uint16]:
     return np.concatenate([pixels, np.where(opaque, 65535, 0).astype(np.uint16)], axis=-1)
 
 
-def _turned(pixels: NDArray[Any], opened: Any) -> NDArray[Any]:
-    """Pixels as the camera was held, which a photograph says (Exif, 0x0112)."""
-    turn = opened.getexif().get(0x0112, 1)
+def turn_of(path: Path) -> int:
+    """How a JPEG says that its camera was held, from 1, upright, to 8; 1 where nothing is said.
+
+    For whoever reads pictures without Pillow. Raises OSError where the file cannot be read.
+    """
+    with path.open("rb") as file:
+        data = file.read(_HEAD)
+    place = 2
+    while data[:2] == b"\xff\xd8" and data[place : place + 1] == b"\xff":
+        part = data[place : place + 2 + int.from_bytes(data[place + 2 : place + 4], "big")]
+        if part[1:2] == b"\xe1" and part[4:10] == b"Exif\0\0":
+            return _turn_in(part[10:])
+        place += max(len(part), 2)
+    return 1
+
+
+def _turn_in(tiff: bytes) -> int:
+    """The orientation in a head of TIFF, which Exif is."""
+    order: Any = "little" if tiff[:2] == b"II" else "big"
+    place = int.from_bytes(tiff[4:8], order)
+    for _ in range(int.from_bytes(tiff[place : place + 2], order)):
+        entry = tiff[place + 2 : place + 14]
+        if int.from_bytes(entry[:2], order) == _ORIENTATION:
+            return int.from_bytes(entry[8:10], order)
+        place += 12
+    return 1
+
+
+def turned(pixels: NDArray[Any], turn: int) -> NDArray[Any]:
+    """Pixels as the camera was held, which a photograph says."""
     if turn in (5, 6, 7, 8):
         pixels = np.swapaxes(pixels, 0, 1)
     if turn in (2, 3, 6, 7):
