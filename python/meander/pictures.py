@@ -21,9 +21,14 @@ from .model.picture.drawn import preview
 from .model.picture.image import Image, image_of, read_image
 from .model.picture.inks import INKS
 from .model.picture.page import of_ink, pieces_of_page
-from .model.picture.tone import TONES, Tone, light_of
+from .model.picture.strip import fault_of
+from .model.picture.tone import RANGES, TONES, Tone, light_of
 
 _TONE = {field.name for field in fields(Tone)} - {"kind"}
+# Of what has no check of its own.
+_RANGES = RANGES | {"threads": (0.0, 256.0)}
+# No page is looked at so closely.
+_MOST_PIXELS = 30_000
 _LINE = {field.name for field in fields(line.Wishes)} - {"tone"}
 
 
@@ -73,6 +78,7 @@ class Drawing:
 
         Raises FileError where Pillow is not installed.
         """
+        size = round(_number("size", size, 1.0, _MOST_PIXELS))
         shown = [(layer.plan.colour, layer.strands) for layer in self._layers]
         return preview(shown, self.sides, self._wishes.line_width, size)
 
@@ -86,9 +92,10 @@ class Drawing:
         drawing   as in `write_curve`, but for what a picture decides: layout, unit, scale, size,
                   line_width, force
 
-        Raises FileError: the file cannot be written, or an option means nothing for its format.
+        Raises FileError: the file cannot be written, or an option means nothing for its format;
+        MeanderError for a margin that is none.
         """
-        path = Path(path)
+        path, margin = Path(path), _number("margin", margin, 0.0)
         kind = export.format_of(path)
         if kind is None:
             raise FileError(
@@ -122,7 +129,7 @@ def draw_picture(
     """Draws a picture in one line that never crosses itself and has its tones.
 
     picture   a file, which needs Pillow, or an array: (h, w), (h, w, 2), (h, w, 3) or (h, w, 4)
-              from the top, sRGB, integers up to the greatest of their type or numbers from 0 to 1.
+              from the top, sRGB, integers of 8 or 16 bits or numbers from 0 to 1.
               Where it is transparent there is no line
     width     of the drawing, in millimetres
     pen       width of its line, in millimetres
@@ -140,15 +147,16 @@ def draw_picture(
     for name in wishes:
         if name not in known:
             raise MeanderError(unknown_name("wish", name, sorted(known)))
+    _check_numbers(wishes)
+    if isinstance(wishes.get("inks", ()), str):
+        raise MeanderError(f"inks {wishes['inks']!r} is no list of names; give such as ('cyan',)")
     for name, value, choices in (
         ("style", wishes.get("style", line.Wishes.style), line.STYLES),
         *(("ink", ink, tuple(INKS)) for ink in wishes.get("inks", ())),
     ):
         if value not in choices:
             raise MeanderError(unknown_name(name, value, choices))
-    for name, value in (("width", width), ("pen", pen)):
-        if not (np.isfinite(value) and value > 0.0):
-            raise MeanderError(f"{name} {value!r} is not greater than 0; choose a length")
+    _check_lengths(width=width, pen=pen)
     tone = _tone(kind, {name: value for name, value in wishes.items() if name in _TONE})
     of_line = {name: value for name, value in wishes.items() if name in _LINE}
     asked = line.Wishes(float(width), float(pen), tone=tone, **of_line)
@@ -175,9 +183,7 @@ def tone_density(
     for name in wishes:
         if name not in known:
             raise MeanderError(unknown_name("wish", name, known))
-    for name, value in (("spacing", spacing), ("pen", pen)):
-        if not (np.isfinite(value) and value > 0.0):
-            raise MeanderError(f"{name} {value!r} is not greater than 0; choose a length")
+    _check_lengths(spacing=spacing, pen=pen)
     values = np.asarray(light, dtype=np.float64)
     if values.ndim != 1 or not np.isfinite(values).all():
         raise MeanderError("light is no list of finite numbers; give one for each vertex")
@@ -186,9 +192,66 @@ def tone_density(
     return density.tone_density(values, made, pen / spacing, levels)
 
 
+def _check_lengths(**lengths: Any) -> None:
+    for name, value in lengths.items():
+        number = _as_number(name, value)
+        if not (np.isfinite(number) and number > 0.0):
+            raise MeanderError(f"{name} {value!r} is not greater than 0; choose a length")
+
+
+def _check_numbers(wishes: dict[str, Any]) -> None:
+    """Raises MeanderError for a wish that is no number, or none that it may be."""
+    for name, (least, greatest) in _RANGES.items():
+        if wishes.get(name) is not None:
+            _number(name, wishes[name], least, greatest)
+
+
+def _as_number(name: str, value: Any) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise MeanderError(f"{name} {value!r} is not a number") from None
+
+
+def _number(name: str, value: Any, least: float, greatest: float | None = None) -> float:
+    """A number within limits."""
+    number = _as_number(name, value)
+    if not (np.isfinite(number) and least <= number and (greatest is None or number <= greatest)):
+        choice = f"{least:g} or more" if greatest is None else f"from {least:g} to {greatest:g}"
+        raise MeanderError(f"{name} {value!r} is out of range; choose {choice}")
+    return number
+
+
+def _pairs(paper: Any) -> list[tuple[float, float]]:
+    """What was measured on paper."""
+    try:
+        return [(float(share), float(darkness)) for share, darkness in paper]
+    except (TypeError, ValueError):
+        raise MeanderError(
+            f"paper {paper!r} is no list of pairs; give such as [(0.5, 0.61)]"
+        ) from None
+
+
 def _tone(kind: str, wishes: dict[str, Any]) -> Tone:
     if kind not in TONES:
         raise MeanderError(unknown_name("tone", kind, TONES))
+    for name in ("darkest", "lightest"):
+        if name in wishes:
+            _number(name, wishes[name], 0.0, 1.0)
+    if wishes.get("levels") is not None:
+        levels = wishes["levels"]
+        try:
+            black, white = (float(level) for level in levels)
+        except (TypeError, ValueError):
+            black = white = 0.0
+        if not 0.0 <= black < white <= 100.0:
+            raise MeanderError(
+                f"levels {levels!r} are not two numbers from 0 to 100, the darker one first"
+            )
+    if "paper" in wishes:
+        wishes = wishes | {"paper": _pairs(wishes["paper"])}
+        if fault := fault_of(wishes["paper"]):
+            raise MeanderError(f"paper: {fault}")
     tone = Tone(kind, **wishes)
     if not 0.0 < tone.lightest < tone.darkest <= 1.0:
         raise MeanderError("lightest and darkest are not in order; choose 0 < lightest < darkest")

@@ -161,7 +161,8 @@ def test_a_png_keeps_its_sixteen_bits_and_its_opacity(tmp_path, depth):
     (tmp_path / "deep.png").write_bytes(png(values))
     found = image.read_image(tmp_path / "deep.png")
     colours = (found.colours * 65535).round().astype(int)
-    assert np.array_equal(colours, np.broadcast_to(values[..., : 1 if depth < 3 else 3], (20, 30, 3)))
+    wanted = values[..., : 1 if depth < 3 else 3]
+    assert np.array_equal(colours, np.broadcast_to(wanted, (20, 30, 3)))
     if depth in (2, 4):
         assert np.array_equal((found.opacity * 65535).round().astype(int), values[..., -1])
 

@@ -18,6 +18,7 @@ from ..model.picture import line
 from ..model.picture.image import is_there, missing_text
 from ..model.picture.inks import INKS
 from ..model.picture.page import of_ink
+from ..model.picture.tone import RANGES
 from ..model.toolpaths import embroidery
 from . import flags, limits, sheets, standard, tone
 from .place import Place
@@ -114,7 +115,7 @@ def _add_sheet(sheet: argparse._ArgumentGroup) -> None:
     )
     add(
         "--leave-white",
-        type=reader(float, 0.0, 1.0),
+        type=reader(float, *RANGES["leave_white"]),
         default=_DEFAULT.leave_white,
         metavar="D",
         help="no line where the drawing would be less dark, from 0 to 1; default: 0, a line "
@@ -132,21 +133,21 @@ def _add_tone(group: argparse._ArgumentGroup) -> None:
     tone.add_common(group)
     add(
         "--local-contrast",
-        type=reader(float, 0.0, 5.0),
+        type=reader(float, *RANGES["local_contrast"]),
         default=_DEFAULT.tone.local_contrast,
         metavar="A",
         help="more contrast with what is around, such as 0.5; default: 0",
     )
     add(
         "--sharpen",
-        type=reader(float, 0.0, 5.0),
+        type=reader(float, *RANGES["sharpen"]),
         default=_DEFAULT.tone.sharpen,
         metavar="A",
         help="the same at edges, as fine as the pen can show, such as 0.5; default: 0",
     )
     add(
         "--spread",
-        type=reader(float, 0.0),
+        type=reader(float, *RANGES["spread"]),
         default=_DEFAULT.spread,
         metavar="MM",
         help="by which ink makes the line wider on paper than the pen; default: 0",

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..files.whole import FileError
+from ..files.whole import FileError, why_no_file
 
 PACKAGE = "Pillow"
 # What holds light and no coded values, which Blender reads and Pillow does not.
@@ -58,7 +58,7 @@ def image_of(pixels: ArrayLike) -> Image:
     """An array as a picture.
 
     pixels   (h, w), (h, w, 1) grey, (h, w, 2) with opacity, (h, w, 3) or (h, w, 4) of colours,
-             from the top; integers up to the greatest of their type, numbers from 0 to 1
+             from the top; integers of 8 or 16 bits up to their greatest, numbers from 0 to 1
 
     Raises FileError for another shape, and for what is no number.
     """
@@ -72,6 +72,11 @@ def image_of(pixels: ArrayLike) -> Image:
     if values.dtype == bool:
         values = values.astype(np.float32)
     elif np.issubdtype(values.dtype, np.integer):
+        if values.dtype.itemsize > 2:
+            raise FileError(
+                f"an array of {values.dtype} does not say what is white; give them as uint8 or "
+                "uint16, or numbers from 0 to 1"
+            )
         values = values.astype(np.float32) / np.float32(np.iinfo(values.dtype).max)
     elif np.issubdtype(values.dtype, np.floating):
         values = values.astype(np.float32)
@@ -125,6 +130,8 @@ def read_image(path: str | Path) -> Image:
     """
     if not is_there():
         raise FileError(missing_text(f"{path}"))
+    if fault := why_no_file(Path(path)):
+        raise FileError(f"{path} {fault}")
     from PIL import Image as pillow
 
     pillow.MAX_IMAGE_PIXELS = None  # the limit is ours

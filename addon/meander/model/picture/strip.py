@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ..files.whole import FileError
@@ -34,11 +36,21 @@ def read_paper(text: str) -> tuple[tuple[float, float], ...]:
                 f"--paper {text}: {part.strip()!r} is no measurement; write SHARE:DARKNESS, such "
                 "as 0.5:0.61"
             ) from None
-        last = found[-1] if found else (0.0, 0.0)
-        if not (last[0] < share < 1.0 and last[1] < darkness <= 1.0):
-            raise FileError(
-                f"--paper {text}: both numbers have to rise, shares between 0 and 1, and darkness "
-                f"up to 1, and {part.strip()} does not"
-            )
         found.append((share, darkness))
+    fault = fault_of(found)
+    if fault:
+        raise FileError(f"--paper {text}: {fault}")
     return tuple(found)
+
+
+def fault_of(paper: Sequence[tuple[float, float]]) -> str:
+    """What is wrong with shares and how dark they were measured; empty: nothing."""
+    last = (0.0, 0.0)
+    for share, darkness in paper:
+        if not (last[0] < share < 1.0 and last[1] < darkness <= 1.0):
+            return (
+                "both numbers have to rise, shares between 0 and 1, and darkness up to 1, and "
+                f"{share:g}:{darkness:g} does not"
+            )
+        last = (share, darkness)
+    return ""

@@ -24,6 +24,13 @@ _LIGHT = np.array([0.2126, 0.7152, 0.0722], dtype=np.float32)
 _LUMA = np.array([0.299, 0.587, 0.114], dtype=np.float32)
 # Rows of a large picture are taken so many pixels at a time.
 _AT_ONCE = 1 << 21
+# The least and the greatest of what may be wished; None: there is no greatest.
+RANGES: dict[str, tuple[float, float | None]] = {
+    "local_contrast": (0.0, 5.0),
+    "sharpen": (0.0, 5.0),
+    "leave_white": (0.0, 1.0),
+    "spread": (0.0, None),
+}
 # So much of the darkest and of the lightest of a picture may be lost where nobody sets levels.
 _LOST = 0.005
 # The least contrast that levels by themselves stretch, of 100.
