@@ -118,10 +118,10 @@ def baked_frames(
         spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
         curve_object.meander.figures.least_spacing = spacing
         _bake(arguments, curve_object)
-    try:
-        frames = frames_of(curve_object, bpy.context, *arguments.bake_frames)
-    except DataError as refusal:
-        raise BadInput(f"the frames cannot be baked: {refusal}") from refusal
+        try:
+            frames = frames_of(curve_object, bpy.context, *arguments.bake_frames)
+        except DataError as refusal:
+            raise BadInput(f"the frames cannot be baked: {refusal}") from refusal
     return frames, scene.render.fps / scene.render.fps_base
 
 
