@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import bpy
@@ -17,6 +18,7 @@ from meander.model.picture.line import Wishes, plans_of
 from meander.model.picture.tone import Tone
 from meander.model.toolpaths.toolpath import strand_of
 from meander.run import suspended
+from meander.run.session_remarks import remarks
 from meander.scene import look
 from meander.scene import picture as pictures
 from meander.scene.picture import DIRECTION, SPACING, read_picture
@@ -146,6 +148,16 @@ def test_a_sheet_that_was_bent_has_the_line_of_one_run(art: Path) -> None:
     watched.end()
 
 
+def test_with_live_on_another_spacing_is_corrected_anew(art: Path) -> None:
+    sheet = drawn(art, **ART, fill=False)
+    spacing = sheet.meander.spacing
+    curve = scenes.fill(sheet, 1.1 * spacing, live=True)
+    scenes.activate(sheet)
+    sheet.meander.spacing = spacing
+    assert bpy.ops.meander.live() == {"FINISHED"}
+    assert error_of(curve, art) <= NEAR
+
+
 def test_a_correction_is_part_of_the_run_that_is_watched(art: Path, windowed) -> None:
     sheet = drawn(art, **ART, fill=False)
     blocking = scenes.world_splines(scenes.fill(sheet, sheet.meander.spacing))[0][0]
@@ -160,9 +172,12 @@ def test_a_correction_is_part_of_the_run_that_is_watched(art: Path, windowed) ->
     assert shares == sorted(shares) and shares[-1] <= 1.0
     corrected = [points for _progress, phase, points in seen if phase == "Correcting tones"]
     assert corrected and min(corrected) > 0, "the line is seen meanwhile"
-    result, _figures = watched.keep(bpy.context)
+    result, figures = watched.keep(bpy.context)
+    remark, _warning = remarks(watched, bpy.context, result, figures)
     watched.end()
     assert np.array_equal(scenes.world_splines(result)[0][0], blocking)
+    told = float(re.fullmatch(r"tones right to (0\.\d{3}) of the range", remark)[1])
+    assert told == pytest.approx(error_of(result, art), abs=0.003)
 
 
 def test_escape_takes_back_a_correction_and_continue_goes_on_with_it(art: Path, windowed) -> None:

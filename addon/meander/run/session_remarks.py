@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the line of a finished run says of its seed, its stiffness and its bridges."""
+"""What the line of a finished run says of its seed, its stiffness, its tones and its bridges."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .session import Session
 def remarks(
     session: Session, context: bpy.types.Context, result: bpy.types.Object, figures: dict[str, Any]
 ) -> tuple[str, str]:
-    """What to add to the summary about the seed and bridges, and what to warn of; empty if
+    """What to add to the summary about the seed, tones and bridges, and what to warn of; empty if
     nothing.
 
     result, figures   of keep()
@@ -30,6 +30,10 @@ def remarks(
     if session.stepper.stiffening.best is not None:
         stiffness = session.stepper.problem.options.bending_weight
         remark = "; ".join(filter(None, (remark, f"a stiffness of {stiffness:g}")))
+    off = session.stepper.tone_error
+    if off is not None:
+        told = f"tones right to {off:.3f} of the range"
+        remark = "; ".join(filter(None, (remark, told)))
     joined = result.meander.figures
     if joined.bridge_count:
         length = length_text(scene, joined.bridge_length)

@@ -184,6 +184,15 @@ class Stepper:
         """What may have to be run in all, in times of the first run."""
         return 1.0 if self._correction is None else COSTS
 
+    @property
+    def tone_error(self) -> float | None:
+        """How far the line is from the tones of a picture, at two mean spacings; None: it is of no
+        picture, or was stopped."""
+        if self._correction is None or self._stop_reason != "converged":
+            return None
+        error = self._correction.error
+        return None if error is None else error.two
+
     def poll(self) -> Snapshot | None:
         """The oldest copy of growth that is left, else the newest copy, once; None while there is
         none. Never waits.
