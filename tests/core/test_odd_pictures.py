@@ -56,6 +56,8 @@ def test_what_is_transparent_all_over_is_said_to_be():
     clear = np.zeros((9, 9, 4), np.uint8)
     with pytest.raises(FileError, match="the picture is transparent: there is no place"):
         plan_of(clear)
+    with pytest.raises(FileError, match="the picture is transparent"):
+        line.plans_of(image.image_of(clear), line.Wishes(), image.image_of(np.ones((2, 2))))
     pictures = (image.image_of(RAMP), line.Wishes(), image.image_of(np.zeros((2, 2))))
     with pytest.raises(FileError, match="the mask leaves nothing: there is no place"):
         line.plans_of(*pictures)

@@ -205,7 +205,8 @@ def plans_of(image: Image, wishes: Wishes, mask: Image | None = None) -> list[Pl
     down, across = grid.shares
     opaque = _opaque(image, mask, down, across)
     if not opaque.any():
-        lacking = "the picture is transparent" if mask is None else "the mask leaves nothing"
+        clear = not _opaque(image, None, down, across).any()
+        lacking = "the picture is transparent" if clear else "the mask leaves nothing"
         raise FileError(f"{lacking}: there is no place for a line; choose another one")
     if wishes.inks:
         lights = separated(image, wishes.inks, down, across)
