@@ -99,3 +99,15 @@ def test_each_ink_has_a_file_of_its_kind(grey: Path, tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == [
         "a_cyan.wled.json", "a_magenta.wled.json",
     ]  # fmt: skip
+
+
+def test_it_is_said_that_tones_are_corrected(tmp_path: Path, capsys) -> None:
+    from PIL import Image
+
+    values = np.full((60, 80), 255, dtype=np.uint8)
+    values[10:50, 15:65:3] = 0
+    Image.fromarray(values).save(tmp_path / "hatching.png")
+    words = ("--picture", tmp_path / "hatching.png", "--width", 80, "--pen", 3)
+    assert batch.main([str(word) for word in (*words, "--output", tmp_path / "a.svg")]) == 0
+    told = capsys.readouterr()
+    assert 1 <= (told.out + told.err).count("meander: correcting tones\n") <= 2

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from .. import core
+from ..model.estimate import PHASE_TEXTS
 from ..model.picture import line, strip
 from ..model.picture.image import Image
 from . import limits, standard, watching
@@ -52,7 +53,13 @@ def _draw(arguments: argparse.Namespace, place: Place) -> None:
     def say(text: str) -> None:
         place.say(f"meander: {text}")
 
+    last: core.Flow | None = None
+
     def run(flow: core.Flow) -> str:
+        nonlocal last
+        if flow is last:
+            say(PHASE_TEXTS["correction"].lower())
+        last = flow
         return watching.run(flow, place.say)
 
     def accept(cost: core.Cost) -> None:
