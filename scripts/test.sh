@@ -189,7 +189,7 @@ profile core
 beside suite core 900 "${in_profile[@]}" \
   /usr/bin/python3 -m pytest -q -p no:cacheprovider "${for_machines[@]/#/--ignore=}" tests/core
 beside suite native 1200 ctest --test-dir build --output-on-failure --no-tests=error
-beside window ui 100 run undo live look make mirror variations
+beside window ui 100 run undo live follow look make mirror variations
 beside window ui-more 200 nothing_lost calm_panel seeds first_try export camera picture
 profile documents
 beside suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py $($all && echo --all)

@@ -83,7 +83,7 @@ for suite in "${suites[@]}"; do
     add-on) run blender -b --factory-startup --python-exit-code 1 \
       --python /checkout/tests/blender/run.py ;;
     window)
-      for story in run undo live look make variations nothing_lost calm_panel seeds first_try export; do
+      for story in run undo live follow look make variations nothing_lost calm_panel seeds first_try export; do
         echo "-- $story"
         in_window "$story" || failures=$((failures + 1))
       done

@@ -138,3 +138,19 @@ def test_what_does_not_follow_stays(result: bpy.types.Object) -> None:
     result.meander.spacing = 0.7 * SPACING
     assert bpy.ops.meander.run(restart=True) == {"FINISHED"}
     assert np.array_equal(pictures(material)["mask"], before["mask"])
+
+
+def test_undo_and_redo_show_the_images_that_they_bring_back(result: bpy.types.Object) -> None:
+    name = make("ENGRAVING").name
+    bpy.ops.ed.undo_push(message="Make Material")
+    shown = [pictures(bpy.data.materials[name])]
+    scenes.activate(result)
+    result.meander.spacing = 0.7 * SPACING
+    assert bpy.ops.meander.run(restart=True) == {"FINISHED"}
+    bpy.ops.ed.undo_push(message="Fill Again")
+    shown.append(pictures(bpy.data.materials[name]))
+    assert not np.array_equal(shown[0]["mask"], shown[1]["mask"])
+    for step, expected in ((bpy.ops.ed.undo, shown[0]), (bpy.ops.ed.redo, shown[1])):
+        assert step() == {"FINISHED"}
+        after = pictures(bpy.data.materials[name])
+        assert all(np.array_equal(after[each], expected[each]) for each in expected)

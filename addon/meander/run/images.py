@@ -17,7 +17,7 @@ from ..scene.drawn_line import digest_of_curve
 from ..scene.errors import DataError
 from ..scene.layouts import map_of
 from .cut import cut_result
-from .lasting import Activity
+from .lasting import Activity, Memory
 from .plan import Plan
 from .window import Window
 
@@ -48,6 +48,9 @@ class Going:
         self.images.close()
         self.window.give_back()
 
+
+# How the material of each result was made, by the result's name, before an undo or a redo.
+_before: Memory[str, str] = Memory()
 
 going: Activity[Going] = Activity(Going.end, busy="Images are being written already")
 
@@ -170,6 +173,23 @@ def make_again(result: bpy.types.Object, context: bpy.types.Context) -> list[str
     image_material.tell_spacing(material, found.plan.spacing)
     _note(result, record, data)
     return []
+
+
+def on_undo_begin() -> None:
+    """Before an undo or a redo."""
+    _before.clear()
+    _before.update((thing.name, thing.meander.made_material_by) for thing in bpy.data.objects)
+
+
+def on_undo_end() -> None:
+    """After it, which brings back the files that images hold, and not what is shown of them."""
+    for thing in bpy.data.objects:
+        settings = thing.meander
+        if settings.made_material_by == _before.get(thing.name, "") or not settings.made_material:
+            continue
+        for image in image_material.images_in(settings.made_material).values():
+            if not image.is_dirty:  # as it was painted
+                image_material.read_again(image)
 
 
 def _data_of(

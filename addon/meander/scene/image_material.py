@@ -108,6 +108,11 @@ def packed(image: bpy.types.Image) -> bytes:
 def pack(image: bpy.types.Image, data: bytes) -> None:
     """Has an image hold another file."""
     image.pack(data=data, data_len=len(data))
+    read_again(image)
+
+
+def read_again(image: bpy.types.Image) -> None:
+    """Has an image shown as the file that it holds."""
     image.buffers_free()  # reload() would prefer a file on the disk
     image.update_tag()
 

@@ -12,7 +12,7 @@ from typing import Any
 import bpy
 from bpy.app.handlers import persistent
 
-from ..run import estimate, lasting, motion, one_step, remade, rounding
+from ..run import estimate, images, lasting, motion, one_step, remade, rounding
 from ..scene import (
     after_undo,
     bake,
@@ -29,7 +29,8 @@ from . import live as live_operator
 from . import look as look_panel
 
 # What is called at which event, in this order: first what other functions of the row look at.
-_READ_BACK = (identity.on_undo, changes.on_undo_end, after_undo.end)
+_BEFORE_UNDO = (changes.on_undo_begin, after_undo.begin, images.on_undo_begin)
+_AFTER_UNDO = (identity.on_undo, changes.on_undo_end, after_undo.end, images.on_undo_end)
 _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
     "load_pre": (lasting.leave_file,),
     "load_post": (changes.on_load, solid_view.forget, motion.on_load),
@@ -40,10 +41,10 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
         rounding.on_output,
         bake.on_output,
     ),
-    "undo_pre": (changes.on_undo_begin, after_undo.begin, one_step.on_undo_begin),
-    "undo_post": (*_READ_BACK, solid_view.give_back, lasting.end_undone, one_step.on_undo),
-    "redo_pre": (changes.on_undo_begin, after_undo.begin),
-    "redo_post": (*_READ_BACK, solid_view.after_redo, lasting.end_undone, one_step.on_redo),
+    "undo_pre": (*_BEFORE_UNDO, one_step.on_undo_begin),
+    "undo_post": (*_AFTER_UNDO, solid_view.give_back, lasting.end_undone, one_step.on_undo),
+    "redo_pre": _BEFORE_UNDO,
+    "redo_post": (*_AFTER_UNDO, solid_view.after_redo, lasting.end_undone, one_step.on_redo),
     "depsgraph_update_post": (
         changes.on_update,
         after_undo.on_update,
