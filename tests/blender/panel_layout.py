@@ -21,6 +21,8 @@ PANEL = 173.0
 LABELS = 0.4
 # What a text has around it: at one side in labels, with a check box, an icon, an arrow.
 MARGIN, BOX, ICON, ARROW = 9.0, 21.0, 20.0, 16.0
+# What stands beside a name in a field.
+NUMBER = "0.000"
 
 
 def width_of(text: str) -> float:
@@ -75,7 +77,8 @@ class Item:
             found.append(Text(self.label, width * LABELS - MARGIN))
             width *= 1.0 - LABELS
         elif self.label:
-            found.append(Text(self.label, width - 2.0 * MARGIN))
+            number = MARGIN + width_of(NUMBER) if self.kind in {"FLOAT", "INT"} else 0.0
+            found.append(Text(self.label, width - 2.0 * MARGIN - number))
         if self.expanded:
             found += [Text(value, width / len(self.values) - 6.0) for value in self.values]
         else:

@@ -194,17 +194,9 @@ def _draw_seed(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) ->
     column = layout.column()
     column.active = settings.use_bevel
     column.prop(settings, "profile")
-    _draw_pair(column, (settings, "bevel_share"), (settings, "round_share"))
+    column.prop(settings, "bevel_share", text="Radius")
+    column.prop(settings, "round_share", text="Round")
     switch(column, settings, "radius_follows")
-
-
-def _draw_pair(layout: bpy.types.UILayout, *places: tuple[object, str] | None) -> None:
-    """Two values side by side, with their names in them; none of what is not there."""
-    row = layout.row(align=True)
-    row.use_property_split = False
-    for place, name in zip(places, ("Radius", "Round")):
-        if place is not None:
-            row.prop(*place, text=name)
 
 
 def _draw_bevel(layout: bpy.types.UILayout, result: bpy.types.Object) -> None:
@@ -224,7 +216,8 @@ def _draw_look(
             layout.prop(*place, text=text or name)
 
     layout.prop(result.meander, "shown_profile")
-    _draw_pair(layout, *(look.place_of(modifier, name) for name in ("Radius", "Round")))
+    row("Radius")
+    row("Round")
     if result.meander.shown_profile in ("ROUND", "ROPE"):
         row("Resolution")
     if result.meander.shown_profile == "ROPE":
