@@ -5,7 +5,7 @@
 #
 # Makes the pictures of the pages in docs/images anew: of each name below, or all of them. Needs the
 # library, which scripts/build.sh makes, and Debian's Blender; "quality" needs python3-matplotlib, and
-# "panel" the pictures that the UI tests of scripts/test.sh leave in build/ui. "gallery" takes an hour.
+# "panel" xvfb, in whose window stories of tests/ui are told. "gallery" takes an hour.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 names=(terms quality export density look strands surface start rough thin motion bake camera panel gallery)
@@ -23,7 +23,12 @@ for name; do
     density | look | strands | surface | start | rough | thin) in_blender "${name}_pictures" docs/images ;;
     motion) in_blender motion_picture docs/images/motion.png ;;
     bake) in_blender bake_picture docs/images/motion_bake.png ;;
-    camera | panel) in_blender "${name}_picture" ;;
+    panel)
+      LIBGL_ALWAYS_SOFTWARE=1 MEANDER_UI_SCALE=1 xvfb-run -a -s "-screen 0 1280x800x24 -nolisten tcp" \
+        blender --factory-startup --enable-event-simulate --window-geometry 0 0 1280 800 \
+        --python-exit-code 1 --python tests/ui/tell.py -- calm_panel nothing_lost look
+      in_blender panel_picture ;;
+    camera) in_blender camera_picture ;;
     gallery) in_blender gallery docs/images/gallery ;;
     *) echo "there are no pictures '$name'; choose from: ${names[*]}" >&2
        exit 2 ;;

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script: cuts the states of the panel out of the pictures of a UI test, side by side.
+"""Blender script: cuts the states of the panel out of the pictures of stories, side by side.
 
-    bash scripts/test.sh
     bash docs/pictures/make.sh panel
 
-Reads build/ui and writes panel_states.png and look_panel.png into docs/images.
+Reads build/ui, of a window of 1280 x 800 by a scale of 1, and writes panel_states.png and
+look_panel.png into docs/images.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ PICTURES = ROOT / "build" / "ui"
 IMAGES = ROOT / "docs" / "images"
 # Left, top, width and height, from the upper left of a window of 1280 x 800.
 PANEL = (836, 84, 192, 580)
-DIALOG = (217, 394, 366, 108)
-LOOK = (836, 332, 192, 368)
+DIALOG = (117, 494, 366, 108)
+LOOK = (836, 332, 192, 387)
 GAP = 12
 # Of what lies between the pieces, transparent.
 BACKGROUND = (0.0, 0.0, 0.0, 0.0)

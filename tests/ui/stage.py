@@ -84,8 +84,9 @@ pace.LONGEST_WAIT = 0.4
 # off but in stories that say SMOOTHED: there a run, which turns it off for as long as drawing is
 # slow, has to give it back.
 smoothing = "OFF"
-# In a window of 960 x 600 there is as much as in one of 1280 x 800.
-SCALE = 0.75
+# In a window of 960 x 600 there is as much as in one of 1280 x 800 by a scale of 1, in which the
+# pictures of the pages are taken.
+SCALE = float(os.environ.get("MEANDER_UI_SCALE", "0.75"))
 
 
 def prefer() -> None:
