@@ -68,6 +68,19 @@ def assert_mirrored(points: np.ndarray, axis: int, within: float) -> None:
         assert apart.max() < within
 
 
+def test_hide_seam_has_strands_cross_the_plane_and_the_curve_goes_on():
+    result = fill(ball(), 0.2, mirror="X", hide_seam=True)
+    (points,) = own_points(result)
+    crossings = through_plane(points, 0)
+    assert crossings > 12 and result.data.splines[0].use_cyclic_u
+    assert result.meander.hide_seam  # kept with the result
+    activate(result)
+    result.meander.spacing = 0.22
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    (spline,) = result.data.splines
+    assert spline.use_cyclic_u
+
+
 @pytest.mark.parametrize("axis", ["X", "Y", "Z"])
 def test_a_ball_is_one_closed_line_through_the_plane_twice(axis):
     result = fill(ball(), 0.3, mirror=axis)

@@ -58,6 +58,7 @@ TRIES = """
 --mirror x --outline
 --mirror x
 --mirror z
+--hide-seam
 --maps a.jpg
 --maps a.png
 --map-size 64

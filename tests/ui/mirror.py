@@ -12,11 +12,14 @@ from meander.ui import panels
 from stage import (
     RESULT,
     SURFACE,
+    activate,
+    changed_share,
     ended,
     press_run,
     seen,
     step,
     suzanne_in_view,
+    undo,
     until,
     window_override,
 )
@@ -32,6 +35,16 @@ def asymmetry() -> float:
     x = np.array([point.co.x for spline in splines for point in spline.points])
     left, right = np.count_nonzero(x < 0.0), np.count_nonzero(x > 0.0)
     return max(abs(x.max() + x.min()) / np.ptp(x), abs(left - right) / len(x))
+
+
+def crossings() -> int:
+    """How often the result goes through the plane of symmetry."""
+    count = 0
+    for spline in bpy.data.objects[RESULT].data.splines:
+        x = np.array([point.co.x for point in spline.points])
+        sides = np.sign(x[np.abs(x) > 1e-6])
+        count += int(np.count_nonzero(sides != np.roll(sides, -1)))
+    return count
 
 
 def window_opens() -> Iterator[float]:
@@ -58,6 +71,25 @@ def filling() -> Iterator[float]:
     assert bpy.data.objects[RESULT].meander.mirror == "X"
 
 
+def hiding_the_seam() -> Iterator[float]:
+    step("Hide Seam has strands cross the plane, and stays one line a part that the plane meets")
+    lines = len(bpy.data.objects[RESULT].data.splines)
+    surface = activate(SURFACE)
+    surface.meander.hide_seam = True
+    bpy.ops.ed.undo_push(message="Hide Seam")
+    before = crossings()
+    press_run(restart=True)
+    yield from until(ended, "the end of the run")
+    yield from seen("mirror_4_hidden_seam")
+    assert changed_share("mirror_3_done", "mirror_4_hidden_seam") > 0.05
+    assert crossings() > 5 * before, (before, crossings())
+    assert len(bpy.data.objects[RESULT].data.splines) == lines
+    yield from undo()
+    assert crossings() == before
+    surface = activate(SURFACE)
+    surface.meander.hide_seam = False
+
+
 def refusing() -> Iterator[float]:
     step("an axis in which the mesh is no mirror image is refused, and the panel says so")
     surface = bpy.data.objects[SURFACE]
@@ -67,7 +99,7 @@ def refusing() -> Iterator[float]:
     with bpy.context.temp_override(**window_override()):
         bpy.ops.meander.run("INVOKE_DEFAULT")
     yield from until(ended, "the refusal")
-    yield from seen("mirror_4_refused")
+    yield from seen("mirror_5_refused")
     assert asymmetry() == before
     assert "mirror image in Y" in (notes.of(surface) or surface.meander.problem.sentence)
 
@@ -75,4 +107,5 @@ def refusing() -> Iterator[float]:
 def story() -> Iterator[float]:
     yield from window_opens()
     yield from filling()
+    yield from hiding_the_seam()
     yield from refusing()

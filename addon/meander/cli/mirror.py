@@ -20,6 +20,8 @@ OFF = "none"
 def problem_of(arguments: argparse.Namespace) -> str | None:
     """What does not go together with the option, as a sentence, or None."""
     if arguments.mirror == OFF:
+        if arguments.hide_seam:
+            return "--hide-seam is about the plane of symmetry; add --mirror, or leave it out"
         return None
     told = {
         "outline": "would run along the plane of symmetry too",
@@ -39,7 +41,7 @@ def reflect(problem: Problem, arguments: argparse.Namespace, matrix: Any = None)
     matrix   (4, 4), of the object; None: its space is that of the vertices
     """
     if arguments.mirror != OFF:
-        problem.mirror = mirror_of(arguments.mirror, matrix)
+        problem.mirror = mirror_of(arguments.mirror, matrix, arguments.hide_seam)
 
 
 @contextmanager

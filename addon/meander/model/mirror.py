@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from .. import core
 from .estimate import cost_of
 from .field import evaluated
+from .geometry.facing_tips import kept_of
 from .geometry.half_mesh import HalfMesh, above
 from .geometry.reflection import Mirror
 from .mirror_images import Images, images_of
@@ -28,6 +29,8 @@ from .problem import Problem
 _INSET = 0.01
 # Vertices this near to the cut lie on it: in shortest edges around them, and in insets.
 _SNAP_EDGES, _SNAP_INSETS = 1e-3, 0.25
+# How far from the plane strands are led across it, in spacings, and by which weight.
+_ACROSS, _ACROSS_WEIGHT = 4.0, 4.0
 
 
 @dataclass(frozen=True)
@@ -44,6 +47,7 @@ class Half:
     cost      that a run on the whole surface is expected to have
     sources   the strand of the given seed that each one of the half's came from
     images    of the vertices of the whole
+    led       the weight by which strands are led across the plane; 0: other directions lead them
     """
 
     problem: Problem
@@ -56,6 +60,7 @@ class Half:
     cost: core.Cost
     sources: NDArray[np.int64]
     images: Images
+    led: float = 0.0
 
     def density_of(
         self, density: NDArray[np.float64] | None
@@ -86,7 +91,7 @@ class Half:
                 "other than half of it, are those that a run begins with; fill the mesh again",
                 core.Status.INVALID_ARGUMENT,
             )
-        return found
+        return replace(found, alignment_weight=self.led) if self.led else found
 
 
 def halved(
@@ -145,7 +150,25 @@ def halved(
         directions=None if directions is None else mesh.carried_lines(directions),
         surface_options=_of_half(prepared, mesh),
     )
-    return Half(half, given, mirror, mesh, density, figures, fit, cost, sources, images)
+    led = 0.0
+    if mirror.across:
+        half, led = _led_across(half, mirror)
+    return Half(half, given, mirror, mesh, density, figures, fit, cost, sources, images, led)
+
+
+def _led_across(half: Problem, mirror: Mirror) -> tuple[Problem, float]:
+    """A half whose rows meet the plane with their hairpins, unless directions are given, and the
+    weight of that."""
+    if half.directions is not None and half.options.alignment_weight > 0.0:
+        return half, 0.0
+    spacings = np.full(len(half.vertices), 2.0 * half.options.radius)
+    if half.density is not None:
+        spacings /= np.sqrt(half.density)
+    near = mirror.heights(half.vertices) < _ACROSS * spacings
+    directions = np.where(near[:, None], mirror.normal, 0.0)
+    options = replace(half.options, alignment_weight=_ACROSS_WEIGHT)
+    led = replace(half, directions=directions, alignment="along", options=options)
+    return led, _ACROSS_WEIGHT
 
 
 def _once(
@@ -285,7 +308,11 @@ def half_of_seed(
     for k, (begin, end) in enumerate(zip(seed.offsets[:-1], seed.offsets[1:], strict=True)):
         points = np.asarray(seed.points[begin:end], dtype=np.float64)
         guide = seed.guides is not None and bool(seed.guides[k])
-        pieces = _pieces(points, np.asarray(fixed[begin:end]), bool(seed.closed[k]), heights)
+        flags = np.asarray(fixed[begin:end])
+        if seed.closed[k] and not guide and not flags.any():
+            kept = kept_of(points, heights(points) > 0.0, 2.0 * radius)
+            points, flags = points[kept], flags[kept]
+        pieces = _pieces(points, flags, bool(seed.closed[k]), heights)
         if not guide and len(pieces) == 1 and seed.closed[k] and not pieces[0][2]:
             pieces = [_closed(pieces[0], heights, radius)]
         for piece in pieces:

@@ -4,12 +4,14 @@
 A closed strand and its image become one line by two crossings of the plane. Where the strand runs
 along the plane as its neighbour, a piece is taken out of it and out of its image, and either end
 turns to the plane: two hairpins back to back, each of a radius of half the spacing, as all others.
+Where strands are to cross the plane, hairpins that face it are opened or moved (facing_tips).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -17,150 +19,12 @@ from numpy.typing import NDArray
 
 from .. import core
 from .geometry.bridge_places import Strand
+from .geometry.facing_tips import Moved, Piece, moved, spliced, tips_of
 from .geometry.half_mesh import section
+from .geometry.plane_crossings import Crossings, Side, opened
 from .geometry.reflection import Mirror
 from .geometry.thinning import kept_points, with_points
 from .mirror import Half, at_rest
-
-# A strand runs beside the plane where it is at most so many spacings from it; it is half of one
-# away where the surface is filled well.
-_BESIDE = 0.8
-# Whatever else is nearer to a crossing than this, in spacings, is in its way.
-_CLEAR = 0.4
-# Control points of a quarter of a circle: Goldapp 1991, Approximation of circular arcs by cubic
-# polynomials.
-_QUARTER = 0.5523
-# Points of one of the four turns, its end at the plane included.
-_POINTS = 8
-# So many places are measured at most: of those that were tried, every strand that has room had a
-# place among the first few.
-_MOST_PLACES = 400
-
-
-@dataclass(frozen=True)
-class Crossings:
-    """A strand opened at a place, and how it goes on to the plane from both ends.
-
-    arcs     (k,) float64: what is left of the strand, by the arc lengths of its points, rising
-    before   (n, 3): from the plane to the first of them; the first of these lies in the plane
-    after    (n, 3): from the last of them to the plane; the last of these lies in the plane
-    """
-
-    arcs: NDArray[np.float64]
-    before: NDArray[np.float64]
-    after: NDArray[np.float64]
-
-
-class Side:
-    """All strands on one side of the plane, and where that meets the surface.
-
-    normal, origin   of the plane; strands lie where it points to
-    section          (k, 2, 3), of the surface by the plane
-    points           (n, 3), of all strands, guides too
-    """
-
-    def __init__(
-        self,
-        origin: NDArray[np.float64],
-        normal: NDArray[np.float64],
-        section: NDArray[np.float64],
-        points: NDArray[np.float64],
-    ) -> None:
-        self._origin, self._normal, self._section = origin, normal, section
-        self._points = points
-
-    def places(
-        self, strand: Strand, spacings: NDArray[np.float64]
-    ) -> Iterator[Crossings]:
-        """Where a closed strand may be opened, the straightest piece beside the plane first.
-
-        spacings   (n,) at the points of the strand
-        """
-        if not len(self._section):
-            return
-        heights = (strand.points - self._origin) @ self._normal
-        along = np.roll(strand.points, -1, axis=0) - np.roll(strand.points, 1, axis=0)
-        lengths = np.linalg.norm(along, axis=1)
-        rise = np.abs(along @ self._normal) / np.where(lengths > 0.0, lengths, 1.0)
-        worth = np.abs(heights / spacings - 0.5) + rise
-        near = np.flatnonzero((heights < _BESIDE * spacings) & (strand.length > 6.0 * spacings))
-        tried: list[float] = []
-        for point in near[np.argsort(worth[near], kind="stable")].tolist():
-            arc, spacing = float(strand.knots[point]), float(spacings[point])
-            if len(tried) == _MOST_PLACES:
-                return
-            if np.any(strand.distances(np.array(tried), arc) < 0.5 * spacing):
-                continue
-            tried.append(arc)
-            found = self._crossings(strand, arc, spacing)
-            if found is not None:
-                yield found
-
-    def _crossings(self, strand: Strand, arc: float, spacing: float) -> Crossings | None:
-        """The two crossings at a place; None where the strand does not run beside the plane for so
-        long, or something else is in the way."""
-        corners = strand.positions([arc - spacing / 2.0, arc + spacing / 2.0])
-        feet = np.array([self._foot(corner) for corner in corners])
-        reaches = np.linalg.norm(feet - corners, axis=1)
-        if reaches.max() > _BESIDE * spacing or reaches.min() < 0.1 * spacing:
-            return None
-        begin, end = arc + spacing / 2.0 + reaches[1], arc - spacing / 2.0 - reaches[0]
-        piece = strand.positions(np.linspace(end, begin, 17))
-        heights = (piece - self._origin) @ self._normal
-        if heights.max() > _BESIDE * spacing or heights.min() <= 0.0:
-            return None
-        turns = [
-            _turn(piece[0], corners[0], feet[0]),
-            _turn(piece[-1], corners[1], feet[1]),
-        ]
-        if not self._clear(strand, (end, begin), np.vstack(turns), _CLEAR * spacing):
-            return None
-        knots = strand.knots[: len(strand.points)]
-        knots = np.concatenate([knots, knots + strand.length])
-        least = 1e-3 * spacing  # a point that all but coincides with an end would be there twice
-        begin, end = begin % strand.length, begin % strand.length + strand.length - (begin - end)
-        inside = knots[(knots > begin + least) & (knots < end - least)]
-        arcs = np.concatenate([[begin], inside, [end]])
-        return Crossings(arcs, turns[1][::-1], turns[0])
-
-    def _foot(self, point: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The nearest place where the plane meets the surface."""
-        begins, sides = self._section[:, 0], self._section[:, 1] - self._section[:, 0]
-        lengths = (sides * sides).sum(axis=1)
-        along = ((point - begins) * sides).sum(axis=1)
-        shares = np.clip(along / np.where(lengths > 0.0, lengths, 1.0), 0.0, 1.0)
-        places = begins + shares[:, None] * sides
-        return places[np.argmin(((places - point) ** 2).sum(axis=1))]
-
-    def _clear(
-        self,
-        strand: Strand,
-        taken: tuple[float, float],
-        turns: NDArray[np.float64],
-        least: float,
-    ) -> bool:
-        """Whether nothing but the strand beside the piece that is `taken` out comes near."""
-        low, high = turns.min(axis=0) - least, turns.max(axis=0) + least
-        first = strand.first
-        near = np.flatnonzero(np.all((self._points >= low) & (self._points <= high), axis=1))
-        own = near[(near >= first) & (near < first + len(strand.points))] - first
-        others = near[(near < first) | (near >= first + len(strand.points))]
-        middle, reach = sum(taken) / 2.0, (taken[1] - taken[0]) / 2.0 + 2.0 * least
-        beyond = strand.distances(strand.knots[own], middle % strand.length) > reach
-        points = self._points[np.concatenate([others, own[beyond] + first])]
-        return not any((np.linalg.norm(turns - point, axis=1) < least).any() for point in points)
-
-
-def _turn(
-    begin: NDArray[np.float64], corner: NDArray[np.float64], end: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """A quarter of a circle from one place towards a corner and on to another, without the first:
-    a cubic of Bezier's."""
-    t = np.linspace(0.0, 1.0, _POINTS + 1)[1:, None]
-    one, other = begin + _QUARTER * (corner - begin), end + _QUARTER * (corner - end)
-    s = 1.0 - t
-    return s**3 * begin + 3.0 * s * s * t * one + 3.0 * s * t * t * other + t**3 * end
-
 
 # Points nearer to the last one than this, in spacings, are left out. A strand through a vertex has
 # several in all but one place there, whose images may lie in another order.
@@ -272,29 +136,66 @@ class _Mirrored:
         self.crossings: Crossings | None = None
         self._mirror = half.mirror
         self._strand = Strand(curve.positions[begin:end], self.closed, begin)
-        self._places = iter(())
+        self._places: Iterator[Crossings] = iter(())
+        self._moved: list[Moved] = []
+        self._least = 0.0
 
     def look_for_places(self, side: Side, spacings: NDArray[np.float64]) -> None:
-        if self.guide or not self.closed:
+        if self.guide or not self.closed or not side.meets:
             return
-        first = self._strand.first
-        own = spacings[first : first + len(self._strand.points)]
-        self._places = side.places(self._strand, own)
+        strand = self._strand
+        own = spacings[strand.first : strand.first + len(strand.points)]
+        self._places = side.places(strand, own)
+        if self._mirror.across:
+            tips = list(tips_of(strand, self._mirror, own, side.foot))
+            longest = sorted(tips, key=lambda tip: -tip.top)
+            self._places = chain((opened(tip) for tip in longest), self._places)
+            self._moved = moved(tips)
+            self._least = 1e-3 * float(own.min())
         self.next_place()
 
     def next_place(self, wanted: bool = True) -> None:
         """Takes another place for the crossings; not `wanted`: none any more."""
         self.crossings = next(self._places, None) if wanted else None
 
+    def leave_tip(self, place: NDArray[np.float64], every: bool) -> bool:
+        """Leaves the tip that is nearest to a place as it is, or `every` one. Whether there was
+        any that is moved."""
+        if not self._moved:
+            return False
+        distances = [float(np.linalg.norm(each.tip.middle - place)) for each in self._moved]
+        nearest = int(np.argmin(distances))
+        self._moved = [] if every else self._moved[:nearest] + self._moved[nearest + 1 :]
+        return True
+
     def lines(self) -> list[NDArray[np.float64]]:
         """One closed line, or the strand and its image."""
+        both = [self._line([each.pieces[half] for each in self._free()]) for half in (0, 1)]
         if self.crossings is None:
-            points = self._strand.points
-            return [points, self._mirror.images(points)]
-        found = self.crossings
-        line = np.vstack([found.before, self._strand.positions(found.arcs), found.after])
+            return [both[0], self._mirror.images(both[1])]
         # Both ends lie in the plane, and are their own images.
-        return [np.vstack([line, self._mirror.images(line[1:-1])[::-1]])]
+        return [np.vstack([both[0], self._mirror.images(both[1][1:-1])[::-1]])]
+
+    def _free(self) -> list[Moved]:
+        """The moved tips that the crossings leave room for."""
+        if self.crossings is None:
+            return self._moved
+        begin, end = self.crossings.arcs[[0, -1]]
+        return [each for each in self._moved if each.tip.lies_between(float(begin), float(end))]
+
+    def _line(self, pieces: list[Piece]) -> NDArray[np.float64]:
+        found, strand = self.crossings, self._strand
+        if found is not None:
+            arcs = found.arcs
+            if not pieces:
+                way = strand.positions(arcs)
+            else:
+                way = spliced(strand, float(arcs[0]), float(arcs[-1]), pieces, self._least)
+            return np.vstack([found.before, way, found.after])
+        if not pieces:
+            return strand.points
+        begin = pieces[0].begin
+        return spliced(strand, begin, begin + strand.length, pieces, self._least)[:-1]
 
 
 def _laid(
@@ -323,6 +224,13 @@ def _laid(
                 lines[int(np.searchsorted(offsets, point, side="right")) - 1][0]
                 for point in (error.elements if error.element_kind == "seed_point" else ())
             ]
+            refusals += 1
+            left = [
+                strand.leave_tip(seed.points[point], refusals >= _TRIES)
+                for strand, point in zip(refused, error.elements, strict=False)
+            ]
+            if any(left):
+                continue
             joined = [strand for strand in refused if strand.crossings is not None]
             if not joined:
                 raise core.MeanderError(
@@ -331,7 +239,6 @@ def _laid(
                     "spacing",
                     error.status,
                 ) from error
-            refusals += 1
             joined[0].next_place(refusals < _TRIES)
 
 

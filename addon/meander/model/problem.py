@@ -49,7 +49,8 @@ class Problem:
 
 
 def begin_along_directions(problem: Problem) -> None:
-    """What a start that was left to the rest is: full along directions where nothing drawn grows.
+    """What a start that was left to the rest is: full along directions where nothing drawn grows; a
+    plane of symmetry that strands are to cross gives some.
 
     A curve that grows has turned before directions can hold it, and makes no rows. Not in the
     preset paper, nor from a wide start, which are about growth.
@@ -57,5 +58,6 @@ def begin_along_directions(problem: Problem) -> None:
     options, seed = problem.options, problem.seed
     drawn = seed is not None and not (seed.guides is not None and np.all(seed.guides))
     directed = problem.directions is not None and options.alignment_weight > 0
+    directed = directed or (problem.mirror is not None and problem.mirror.across)
     if directed and not drawn and options.polish and options.start_spacing_factor == 1:
         options.start = core.Start.FULL

@@ -104,7 +104,7 @@ def _ask_more(problem: Problem, settings: bpy.types.PropertyGroup, matrix: np.nd
     """What the settings ask of a run beside its seed and its fields."""
     problem.least_bend_radius = float(f"{settings.least_bend_radius:.6g}")
     if settings.mirror != "NONE":
-        problem.mirror = mirror_of(settings.mirror.lower(), matrix)
+        problem.mirror = mirror_of(settings.mirror.lower(), matrix, settings.hide_seam)
     if settings.start == OF_PRESET.upper():
         begin_along_directions(problem)
 

@@ -52,6 +52,7 @@ _OF_SETTINGS = (
     ("*guide*", "strands"),
     ("fixed_ends", "strands"),
     ("mirror", "surfaces"),
+    ("hide_seam", "surfaces"),
     ("mask_*", "surfaces"),
     ("border_distance", "surfaces"),
     ("use_outline", "surfaces"),

@@ -157,6 +157,8 @@ class MEANDER_PT_guidance(SubPanel, bpy.types.Panel):
         columns(layout)
         settings = settings_of(context.active_object)
         layout.row(align=True).prop(settings, "mirror", expand=True)
+        if settings.mirror != "NONE":
+            layout.prop(settings, "hide_seam")
 
 
 class MEANDER_PT_output(SubPanel, bpy.types.Panel):

@@ -22,12 +22,14 @@ class Mirror:
     origin     (3,), in the space of the surface's vertices
     normal     (3,), unit, there; it points to the axis' positive side
     to_object  (4, 4), from there to the object's own space, in which places are told
+    across     whether strands are to cross it
     """
 
     axis: str
     origin: NDArray[np.float64]
     normal: NDArray[np.float64]
     to_object: NDArray[np.float64]
+    across: bool = False
 
     def heights(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
         """How far points (n, 3) are above the plane: (n,)."""
@@ -52,12 +54,14 @@ class Mirror:
         )
 
 
-def mirror_of(axis: str, matrix: ArrayLike | None = None) -> Mirror:
+def mirror_of(axis: str, matrix: ArrayLike | None = None, across: bool = False) -> Mirror:
     """The plane of an axis, one of AXES.
 
     matrix   (4, 4), from the object's space to that of the surface's vertices; None: they are one
+    across   whether strands are to cross it
     """
     to_world = np.eye(4) if matrix is None else np.asarray(matrix, dtype=np.float64)
     to_object = np.linalg.inv(to_world)
     normal = to_object[AXES.index(axis), :3]  # normals go by the transposed inverse
-    return Mirror(axis, to_world[:3, 3].copy(), normal / np.linalg.norm(normal), to_object)
+    normal = normal / np.linalg.norm(normal)
+    return Mirror(axis, to_world[:3, 3].copy(), normal, to_object, across)

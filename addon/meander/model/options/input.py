@@ -34,6 +34,21 @@ ROWS: tuple[Option, ...] = (
         ),
     ),
     Option(
+        "hide_seam",
+        "Hide Seam",
+        "Have strands cross the plane of symmetry at right angles instead of running along both "
+        "sides of it. Hairpins beside it then lie elsewhere on either half, and unless directions "
+        "are given the curve begins full",
+        _GUIDANCE,
+        kind=bool,
+        default=False,
+        flag=Flag(
+            "--hide-seam",
+            "with --mirror: strands cross the plane instead of running along it",
+            entry="hide_seam",
+        ),
+    ),
+    Option(
         "density_smoothing",
         "Smoothing",
         "Radius over which the curvature is averaged, in spacings; a larger one "
