@@ -7,7 +7,6 @@ all that it says goes to stderr.
 from __future__ import annotations
 
 import sys
-from functools import partial
 
 from .cli import command
 from .cli.place import Place
@@ -15,7 +14,7 @@ from .cli.place import Place
 
 def main() -> int:
     """Runs the command with the arguments of this process, and returns its exit code."""
-    place = Place("meander", partial(print, file=sys.stderr, flush=True))
+    place = Place("meander", lambda line: print(line, file=sys.stderr, flush=True))
     return command.main(sys.argv[1:], place)
 
 

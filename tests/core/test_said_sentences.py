@@ -307,6 +307,8 @@ ELSEWHERE = {
     "has UVs that are": "the same",
     "has a face with a UV that": "the same",
     "no spacing gives a length": "test_target_length.py",
+    "there is no standard output": "needs streams of its own: test_closed_pipe.py",
+    "the standard output cannot be written": "the same",
     "which no machine can do": "needs pyembroidery",
     "All strands are shorter than a stitch": "the same: test_what_machines_take.py",
     "would overwrite \0, from which this run": "needs Blender: tests/blender/test_maps.py",

@@ -39,7 +39,7 @@ def exit_code_of(work: Callable[[], None], *refusals: type[Exception]) -> int:
         while_heard(print, line, file=sys.stderr, flush=True)
         return 2
     except GapsLeft as gaps:
-        print(f"meander: {gaps}", file=sys.stderr, flush=True)
+        while_heard(print, f"meander: {gaps}", file=sys.stderr, flush=True)
         return 3
     except KeyboardInterrupt:
         while_heard(print, "meander: interrupted", file=sys.stderr, flush=True)
@@ -51,27 +51,35 @@ def exit_code_of(work: Callable[[], None], *refusals: type[Exception]) -> int:
 
 
 def while_heard(say: Callable[..., None], *line: Any, **how: Any) -> None:
-    """Prints a line, unless nobody reads it any more, as behind `| head -1`: that is no reason to
-    end, and nothing is printed from there on."""
+    """Prints a line, unless nobody reads it any more, as behind `| head -1` or on a full disk: that
+    is no reason to end, and nothing is printed from there on."""
     try:
         say(*line, **how)
-    except BrokenPipeError:
-        nowhere = os.open(os.devnull, os.O_WRONLY)
-        for stream in (sys.stdout, sys.stderr):
-            # What is left in the buffer would fail once more when the process ends.
-            with contextlib.suppress(OSError, ValueError, AttributeError):
-                try:
-                    stream.flush()
-                except BrokenPipeError:
-                    os.dup2(nowhere, stream.fileno())
-        os.close(nowhere)
+    except OSError:
+        forget_unheard()
+
+
+def forget_unheard() -> None:
+    """Sends the standard streams that take nothing any more to nowhere: what is left in a buffer
+    would fail once more when the process ends."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (sys.stdout, sys.stderr):
+        with contextlib.suppress(OSError, ValueError, AttributeError):
+            try:
+                stream.flush()
+            except OSError:
+                os.dup2(nowhere, stream.fileno())
+    os.close(nowhere)
 
 
 def print_any_letters() -> None:
     """Has letters that the output does not know printed as numbers, instead of an exception.
 
-    Names of files and objects hold any letters, on Linux also bytes that are none.
+    Names of files and objects hold any letters, on Linux also bytes that are none. Without a stderr
+    nothing is said: print() would take None for the standard output, where a file may go.
     """
+    if sys.stderr is None:
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115  (until the end)
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):  # not what hosts put in their place
             stream.reconfigure(errors="backslashreplace")
