@@ -16,6 +16,7 @@ from .model.files import meshes
 from .model.files.obj import read_obj_curve, write_obj_curve
 from .model.files.whole import FileError, whole_file
 from .model.options.export import ROWS
+from .model.options.machines import without_effect
 from .model.options.option import Option
 from .model.toolpaths import ros, toolpath
 from .model.toolpaths.drawing import VIEWS, Drawing, axes_of, seen_along
@@ -182,6 +183,15 @@ def drawing_values(
         if kind is None or row.setting not in kind.options:
             raise FileError(f"{name} does nothing for a {suffix} file; leave it out")
         values[row.setting] = _checked(name, value, row)
+    given = {_DRAWING[name].setting for name in drawing}
+    idle = without_effect(given, values)
+    if idle is not None:
+        setting, other, choices = idle
+        names = {row.setting: name for name, row in _DRAWING.items()}
+        raise FileError(
+            f"{names[setting]} is for {' '.join([names[other], choices]).strip()}; give both or "
+            "none"
+        )
     return values
 
 
@@ -196,8 +206,12 @@ def _checked(name: str, value: Any, row: Option) -> Any:
         return value
     try:
         number = row.kind(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise FileError(f"{name} {value!r} is not a number") from None
+    if row.kind is bool and not isinstance(value, (bool, np.bool_)):
+        raise FileError(f"{name} {value!r} is neither True nor False")
+    if row.kind is int and number != value:
+        raise FileError(f"{name} {value!r} is not a whole number")
     least = -np.inf if row.least is None else row.least
     greatest = np.inf if row.greatest is None else row.greatest
     if not least <= number <= greatest:

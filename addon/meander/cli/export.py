@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from .. import core
 from ..model import before_writing, export
 from ..model.options.export import GROUP, ROWS
+from ..model.options.machines import without_effect
 from ..model.toolpaths import embroidery, ros, toolpath, usd
 from ..model.toolpaths.drawing import UNITS, Drawing, axes_of, seen_along
 from ..model.toolpaths.order import Order
@@ -70,6 +71,9 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
             return f"{row.flag.name} is for --poses and for .yaml; give both or none"
         if given and row.setting not in _taken(arguments):
             return f"{row.flag.name} does nothing for an --output of kind {suffix}; leave it out"
+    idle = _idle(arguments)
+    if idle:
+        return idle
     for name in ("input_unit", "input_up"):
         option = f"--{name.replace('_', '-')}"
         if getattr(arguments, name) is None:
@@ -115,6 +119,19 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
     if suffix in (".usdc", ".usd") and not usd.is_there():
         return usd.missing_text()
     return None
+
+
+def _idle(arguments: argparse.Namespace) -> str:
+    """What is said of a flag that changes nothing beside the others; empty: there is none."""
+    names = {row.setting: row.flag.name for row in ROWS}
+    given = {
+        row.setting for row in ROWS if getattr(arguments, row.flag.destination) is not None
+    }
+    found = without_effect(given, _values(arguments))
+    if found is None:
+        return ""
+    setting, other, choices = found
+    return f"{names[setting]} is for {' '.join([names[other], choices]).strip()}; give both or none"
 
 
 def _has_poses(arguments: argparse.Namespace) -> bool:

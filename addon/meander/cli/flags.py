@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from .. import core
+from ..model.options.machines import PANEL
 from ..model.options.option import Flag, Option, apply
 from ..model.options.table import OF_THE_FLOW, TABLE
 from . import values
@@ -33,7 +34,7 @@ def add_flags(
             given["choices"] = [*(name for name, _label, _tip in option.choices), *flag.besides]
             given["type"] = values.synonym_reader(flag.synonyms)
         else:
-            given["type"] = values.reader(option.kind, flag.least, flag.greatest, flag.above)
+            given["type"] = values.reader(option.kind, *_limits(option, flag))
             if flag.share:
                 given["type"] = values.share_or(given["type"])
             given["metavar"] = flag.metavar
@@ -41,6 +42,17 @@ def add_flags(
         hidden = {"help": argparse.SUPPRESS, "default": argparse.SUPPRESS, "dest": flag.destination}
         for name in flag.former:
             parser.add_argument(name, **given | hidden)
+
+
+def _limits(option: Option, flag: Flag) -> tuple[float | None, float | None, float | None]:
+    """The least and the greatest value of a flag, and what it has to be above. What is written into
+    a file and seen by no library has those of the setting, where it has none of its own."""
+    if option.panel != PANEL:
+        return flag.least, flag.greatest, flag.above
+    greatest = option.greatest if flag.greatest is None else flag.greatest
+    if flag.above is not None:
+        return None, greatest, flag.above
+    return option.least if flag.least is None else flag.least, greatest, None
 
 
 def current_name(name: str) -> str:

@@ -74,6 +74,8 @@ def reader(
             raise argparse.ArgumentTypeError(f"{text!r} is less than {least:g}")
         if above is not None and value <= above:
             raise argparse.ArgumentTypeError(f"{text!r} is not greater than {above:g}")
+        if greatest is not None and value > greatest:
+            raise argparse.ArgumentTypeError(f"{text!r} is greater than {greatest:.12g}")
         return value
 
     return read

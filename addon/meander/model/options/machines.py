@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from ..toolpaths.gcode import MACHINES, TOOLS, Motion
-from .option import Flag, Option
+from .option import Flag, Option, Values
 
 PANEL = "File > Export"
 GROUP = "export"
@@ -25,7 +27,6 @@ MACHINE_ROWS: tuple[Option, ...] = (
             "speed along the curve in G-code, in mm a minute; default: 1200",
             GROUP,
             "F",
-            above=0.0,
             entry="feed",
         ),
     ),
@@ -44,7 +45,6 @@ MACHINE_ROWS: tuple[Option, ...] = (
             "speed between strands in G-code, in mm a minute; default: 3000",
             GROUP,
             "F",
-            above=0.0,
             entry="travel_feed",
         ),
     ),
@@ -343,3 +343,28 @@ MACHINE_ROWS: tuple[Option, ...] = (
         ),
     ),
 )
+
+# Settings that mean something beside another only, and the values of that; none: any above one, or
+# above 0.
+_BESIDE: tuple[tuple[tuple[str, ...], str, tuple[str, ...]], ...] = (
+    (("dip_x", "dip_y", "dip_height"), "dip_every", ()),
+    (("layer_height",), "layers", ()),
+    (("servo_down", "servo_up"), "tool", ("servo",)),
+    (("power",), "tool", ("laser", "spindle")),
+    (("lift",), "tool", ("pen", "spindle")),
+)
+_LEAST = {"layers": 1}
+
+
+def without_effect(given: Collection[str], values: Values) -> tuple[str, str, str] | None:
+    """Of settings that are given, the first that changes nothing, what it is for, and the choices
+    of that, as words; None: all do.
+
+    values   of all settings
+    """
+    for settings, other, choices in _BESIDE:
+        effective = values[other] in choices if choices else values[other] > _LEAST.get(other, 0)
+        for setting in settings:
+            if setting in given and not effective:
+                return setting, other, " or ".join(choices)
+    return None

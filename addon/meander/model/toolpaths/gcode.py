@@ -152,7 +152,8 @@ def gcode_pieces(
     writer.safe += motion.lift / drawing.millimetres
     writer.line(f"; {_plain(title)}, Meander {version}")
     strands = "1 strand" if len(drawing.strands) == 1 else f"{len(drawing.strands)} strands"
-    writer.line(f"; {strands}, length {drawing.length:.6g} {drawing.unit}")
+    over = f", {motion.layers} times over" if motion.layers > 1 else ""
+    writer.line(f"; {strands}, length {drawing.length:.6g} {drawing.unit}{over}")
     writer.line(_UNIT_WORDS[drawing.unit])
     for line in words.head if head is None else head:
         writer.line(line)
