@@ -29,6 +29,11 @@ _DRAWING = {row.flag.destination: row for row in ROWS if row.flag is not None}
 # What only Blender knows: what is hidden, a UV map, the view in a window.
 _LAYOUTS = ("space", *VIEWS)
 _IN_BLENDER = ("visible_only",)
+# What the command does to the line before it is drawn.
+_OF_THE_COMMAND = (
+    *("header", "footer", "part_length", "part_overlap", "begin_at", "go_on_from", "backwards"),
+    *("poses", "outward", "light", "point_limit", "round", "lines"),
+)
 
 
 def read_mesh(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
@@ -85,6 +90,8 @@ def write_curve(
     Raises FileError: the file cannot be written, or an option means nothing for its format.
     """
     path = Path(path)
+    if not isinstance(flow, Flow):
+        raise FileError(f"flow must be a Flow, not a {type(flow).__name__}; write that of one")
     _refuse(path, step, tolerance)
     suffix, kind = export.suffix_of(path), export.format_of(path)
     values = drawing_values(suffix, kind, drawing)
@@ -148,8 +155,15 @@ def _refuse(path: Path, step: float | None, tolerance: float | None) -> None:
     if export.suffix_of(path) == ".obj" and not (step is None and tolerance is None):
         raise FileError("an .obj file has the whole curve; leave out step and tolerance")
     for name, length in (("step", step), ("tolerance", tolerance)):
-        if length is not None and not length > 0.0:
-            raise FileError(f"{name} {length!r} is not greater than 0")
+        if length is not None and not _is_positive(length):
+            raise FileError(f"{name} {length!r} is not a number greater than 0")
+
+
+def _is_positive(length: Any) -> bool:
+    try:
+        return float(length) > 0.0
+    except (TypeError, ValueError):
+        return False
 
 
 def write_cut(path: str | Path, cut: CutSurface, spacing: float) -> None:
@@ -175,6 +189,8 @@ def drawing_values(
     values = dict(export.DEFAULTS)
     for name, value in drawing.items():
         row = _DRAWING.get(name)
+        if row is None and name in _OF_THE_COMMAND:
+            raise FileError(f"{name} is an option of the command meander only; leave it out")
         if row is None:
             known = [option for option in _DRAWING if option not in _IN_BLENDER]
             raise FileError(unknown_name("option", name, known))

@@ -315,12 +315,19 @@ def test_what_cannot_be_written_is_one_sentence(installed: Environment) -> None:
         "    ('nowhere/a.obj', {}), ('a.gcode', {'arcs': 0.1}), ('a.dxf', {'sheet': (90, 90)}),\n"
         "    ('a.svg', {'sheet': 'a4'}), ('a.svg', {'sheet': (90, 90), 'sheet_margin': 45}),\n"
         "    ('a.svg', {'sheet': (90, 90), 'sheet_margin': 44.9}),\n"
+        "    ('a.csv', {'step': 'long'}),\n"
+        "    ('a.gcode', {'relative': 'no'}), ('a.gcode', {'layers': 1.5}),\n"
+        "    ('a.gcode', {'dip_x': 5}), ('a.svg', {'part_length': 1}),\n"
         "):\n"
         "    try:\n"
         "        meander.write_curve(name, flow, **given)\n"
         "        print('written', name, given)\n"
         "    except meander.FileError as refusal:\n"
         "        assert '\\n' not in str(refusal) and len(str(refusal).split()) > 3, refusal\n"
+        "try:\n"
+        "    meander.write_curve('a.obj', flow.polylines())\n"
+        "except meander.FileError as refusal:\n"
+        "    print(refusal)\n"
         "try:\n"
         "    meander.write_cut('a.stl', meander.cut_surface(flow), 0.2)\n"
         "except meander.FileError as refusal:\n"
@@ -332,6 +339,7 @@ def test_what_cannot_be_written_is_one_sentence(installed: Environment) -> None:
     done = installed.run(installed.python, "-c", script)
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines() == [
+        "flow must be a Flow, not a Polylines; write that of one",
         "a.stl is no .obj or .ply file; choose another suffix", "True"
     ]
     sheets = {path.name for path in installed.work.glob("in_*")}

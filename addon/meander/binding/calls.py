@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import re
 import weakref
 from collections.abc import Callable
 from ctypes import Structure, byref, sizeof
@@ -47,7 +48,7 @@ def new_error() -> ErrorRecord:
 
 def raise_error(status: int, error: ErrorRecord) -> None:
     """Turns a failed call into a MeanderError."""
-    text = error.text.decode("utf-8", "replace")
+    text = _in_python(error.text.decode("utf-8", "replace"))
     if not text:
         name = native().meander_status_name(status)
         text = f"the native library failed ({name.decode('utf-8', 'replace')})"
@@ -62,6 +63,12 @@ def raise_error(status: int, error: ErrorRecord) -> None:
     elif kind is not None:
         elements = (error.element_index,)
     raise MeanderError(text, status, kind, elements)
+
+
+def _in_python(text: str) -> str:
+    """A sentence of the library's that names functions of C, in the words of Python."""
+    text = re.sub(r"\bmeander_(?:flow|surface|context)_(\w+)", r"\1()", text)
+    return text.replace("or be NULL and have none", "or be None")
 
 
 def call(function: Callable[..., int], *arguments: Any) -> None:

@@ -13,6 +13,7 @@ from .choices import PHASES
 from .errors import MeanderError
 from .handle import Handle
 from .interruption import Cancel, is_heard
+from .named import refuse_other
 from .native_library import native
 
 
@@ -105,6 +106,7 @@ def pointer_of(context: Context | None) -> Iterator[Cancel | None]:
     """The native context for the time of a call, which an interruption from the keyboard cancels;
     null where there is none and nothing could interrupt."""
     if context is not None:
+        refuse_other("context", context, Context, "make one, or leave it out")
         with context._use_in_call() as pointer:
             yield pointer
     elif is_heard():

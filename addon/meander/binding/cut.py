@@ -13,6 +13,7 @@ from .calls import Found
 from .context import Context, pointer_of
 from .flow import Flow
 from .handle import narrow_offsets
+from .named import number_of, refuse_other
 from .native_library import native
 
 NO_STRAND = 2**32 - 1
@@ -89,12 +90,13 @@ def cut_surface(
     Raises MeanderError for a detail out of range, while the flow is running, and soon after
     `context` has been cancelled.
     """
+    refuse_other("flow", flow, Flow, "cut the surface of one")
     found = Found(CutRecord)
     with flow._use() as pointer, pointer_of(context) as cancelling:
         cut = found.fill(
             native().meander_flow_cut_surface,
             pointer,
-            float(detail),
+            number_of("detail", detail),
             int(middle_lines),
             context=(cancelling,),
         )

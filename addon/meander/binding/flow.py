@@ -24,6 +24,7 @@ from .context import Context, pointer_of
 from .curve import Gaps, Nodes, PointData, Polylines, polylines_of
 from .flow_options import FlowOptions, options_record
 from .handle import address_of, checked_array
+from .named import number_of
 from .native_library import native
 from .runs import FlowRun
 
@@ -71,7 +72,7 @@ class Flow(FlowRun):
         from where it is: run or step until it is even again. Raises MeanderError, and leaves the
         flow as it was, for a radius that a new flow would refuse.
         """
-        self._alone("meander_flow_set_radius", float(radius))
+        self._alone("meander_flow_set_radius", number_of("radius", radius))
 
     def set_density(self, density: ArrayLike | None) -> None:
         """Asks for another density from here on, as set_radius does for the radius.
@@ -188,7 +189,7 @@ class Flow(FlowRun):
                 count = data.fill(
                     native().meander_flow_round_curve,
                     pointer,
-                    float(tolerance),
+                    number_of("tolerance", tolerance),
                     byref(found.record),
                     context=(cancelling,),
                 ).count
@@ -211,7 +212,10 @@ class Flow(FlowRun):
         found = Found(GapsRecord)
         with self._use() as pointer, pointer_of(context) as cancelling:
             record = found.fill(
-                native().meander_flow_find_gaps, pointer, float(least_size), context=(cancelling,)
+                native().meander_flow_find_gaps,
+                pointer,
+                number_of("least size", least_size),
+                context=(cancelling,),
             )
         count = record.count
         return Gaps(

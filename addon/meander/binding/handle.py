@@ -24,6 +24,8 @@ def checked_array(name: str, value: ArrayLike, dtype: type, columns: int | None)
     must not become 4294967295.
     """
     shape = "(n,)" if columns is None else f"(n, {columns})"
+    if np.ma.is_masked(value):  # a copy of it would have what lies behind the mask
+        raise MeanderError(f"{name} has masked values; fill them, or leave them out")
     try:
         array = np.asarray(value)
     except ValueError:  # as numpy says it, for people who know numpy
@@ -34,6 +36,8 @@ def checked_array(name: str, value: ArrayLike, dtype: type, columns: int | None)
         raise MeanderError(
             f"{name} must be an array of numbers of shape {shape}; it holds something that is none"
         )
+    if columns is not None and array.shape == (0,):  # of an empty list
+        array = array.reshape(0, columns)
     fits = array.ndim == 1 if columns is None else array.ndim == 2 and array.shape[1] == columns
     if not fits:
         raise MeanderError(f"{name} must be an array of shape {shape}, not {array.shape}")

@@ -47,10 +47,22 @@ def only_its_names(kind: _Class) -> _Class:
     return kind
 
 
-def refuse_other(what: str, value: Any, kind: type) -> None:
-    """Raises MeanderError for what is none of a class of options, as a dict of them is."""
+def refuse_other(
+    what: str, value: Any, kind: type, way: str = "make one, and set its attributes"
+) -> None:
+    """Raises MeanderError for what is none of a class, as a dict of options is.
+
+    way   what to do
+    """
     if not isinstance(value, kind):
         raise MeanderError(
-            f"{what} must be a {kind.__name__}, not a {type(value).__name__}; make one, and set "
-            "its attributes"
+            f"{what} must be a {kind.__name__}, not a {type(value).__name__}; {way}"
         )
+
+
+def number_of(what: str, value: Any) -> float:
+    """A number as the library takes it. Raises MeanderError for what is none."""
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise MeanderError(f"the {what} must be a number, not {value!r}") from None

@@ -48,6 +48,7 @@ class FlowRun(Handle):
         density: ArrayLike | None = None,
         context: Context | None = None,
     ) -> None:
+        refuse_other("surface", surface, Surface, "make one of the vertices and faces")
         density_array = None
         if density is not None:
             density_array = checked_array("density", density, np.float64, None)

@@ -25,7 +25,7 @@ from .elsewhere import mesh_arrays
 from .errors import MeanderError
 from .handle import Handle, address_of, checked_array, chosen, created, narrow_offsets
 from .mesh_search import Closest, _closest
-from .named import only_its_names, refuse_other
+from .named import number_of, only_its_names, refuse_other
 from .native_library import native
 from .seed import Seed
 
@@ -232,8 +232,8 @@ class Surface(Handle):
             record = found.fill(
                 native().meander_surface_find_outlines,
                 self._alive(),
-                float(distance),
-                float(spacing),
+                number_of("distance", distance),
+                number_of("spacing", spacing),
                 context=(cancelling,),
             )
         strands = record.strand_count
@@ -266,7 +266,7 @@ class Surface(Handle):
                 native().meander_surface_compute_curvature,
                 self._alive(),
                 number,
-                float(smoothing),
+                number_of("smoothing", smoothing),
                 address_of(values),
                 len(values),
                 cancelling,
@@ -292,7 +292,7 @@ class Surface(Handle):
                 native().meander_surface_compute_directions,
                 self._alive(),
                 number,
-                float(smoothing),
+                number_of("smoothing", smoothing),
                 address_of(directions),
                 len(directions),
                 cancelling,
