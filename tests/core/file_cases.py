@@ -67,6 +67,11 @@ def binary_ply(faces: list[tuple[int, ...]], order: str = "<", tail: bytes = b""
     return head.encode() + rows + tail
 
 
+def _with_returns(data: bytes) -> bytes:
+    head, end, rows = data.partition(b"end_header\n")
+    return (head + end).replace(b"\n", b"\r") + rows
+
+
 HALVES = [[(0, 0), (1, 0), (1, 1)], [(0, 0), (1, 1), (0, 1)]]
 
 
@@ -111,8 +116,11 @@ CASES = (
     Case("obj", "lines that end with a carriage return", PLAIN.replace(b"\n", b"\r"), 1.0),
     Case("obj", "no end of the last line", PLAIN[:-1], 1.0),
     Case("obj", "comments behind numbers", PLAIN.replace(b"\n", b" # 1 2\n"), 1.0),
+    Case("obj", "comments without a blank before them", PLAIN.replace(b"\n", b"#1 2\n"), 1.0),
     Case("obj", "a comment that ends with a backslash", b"# C:\\models\\\n" + PLAIN, 1.0),
     Case("obj", "a line that a backslash continues", obj(SQUARE, "f 1 2 \\\n3 4\n"), 1.0),
+    Case("obj", "blanks behind such a backslash", obj(SQUARE, "f 1 2 \\  \n3 4\n"), 1.0),
+    Case("obj", "a backslash at the end of the file", PLAIN[:-1] + b" \\", 1.0),
     Case("obj", "names that are keywords", b"o v 1 2\ng f\nusemtl l\n" + PLAIN, 1.0),
     Case("obj", "weights or colors behind coordinates",
          PLAIN.replace(b" 0\nf", b" 0 1 .5 .5\nf"), 1.0),
@@ -136,6 +144,11 @@ CASES = (
          ", line 5: there is no vertex -9, as only 4 stand before this line; correct the file"),
     Case("obj", "vertices counted from 0", obj(SQUARE, "f 0 1 2\n"), 0.0,
          ", line 5: 'f 0 1 2' is not a face of vertices, counted from 1; correct the file"),
+    Case("obj", "a number of a vertex that no computer could hold",
+         obj(SQUARE, "f 1 2 99999999999999999999/1\n"), 0.0,
+         ", line 5: there is no vertex 99999999999999999999; correct the file"),
+    Case("obj", "a number of a vertex beyond 32 bits", obj(SQUARE, "f 1 2 4294967297\n"), 0.0,
+         ", line 5: there is no vertex 4294967297; correct the file"),
     Case("obj", "a word in a face", obj(SQUARE, "f 1 2 x\n"), 0.0,
          ", line 5: 'f 1 2 x' is not a face of vertices, counted from 1; correct the file"),
     Case("obj", "commas in numbers", b"v 0,5 1 0\n" + PLAIN, 0.0,
@@ -169,6 +182,9 @@ CASES = (
     Case("ply", "strips with -1 between them", (STRIP + "9 0 1 2 3 -1 2 3 4 5\n").encode(), 2.0),
     Case("ply", "a byte order mark of UTF-8",
          b"\xef\xbb\xbf" + ply(flat(SQUARE) + "4 0 1 2 3\n", 1), 1.0),
+    Case("ply", "lines that end with a carriage return",
+         ply(flat(SQUARE) + "4 0 1 2 3\n", 1).replace(b"\n", b"\r"), 1.0),
+    Case("ply", "the same before bytes", _with_returns(binary_ply([(0, 1, 2, 3)])), 1.0),
     Case("ply", "comments that hold keywords",
          ply(flat(SQUARE) + "4 0 1 2 3\n", 1,
              extra="comment end_header\nobj_info element face 9\n"), 1.0),
@@ -206,7 +222,13 @@ CASES = (
     Case("stl", "UTF-16", stl().decode().encode("utf-16"), 1.0),
     Case("stl", "bytes", binary_stl(), 1.0),
     Case("stl", "bytes that begin as text does", binary_stl(head=b"solid made by hand"), 1.0),
+    Case("stl", "text with zeros behind it", stl(tail="endsolid a\n\0\0\0"), 1.0),
     # ---- STL: repaired
+    Case("stl", "text without its last line", stl(tail=""), 1.0,
+         " has no endsolid, so it may have been cut off; 2 triangles stood there"),
+    Case("stl", "text that ends between two triangles",
+         stl().partition(b"facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 1 0")[0], 0.5,
+         " has no endsolid, so it may have been cut off; 1 triangle stood there"),
     Case("stl", "more bytes than its count", binary_stl(tail=b"\0\0"), 1.0,
          " says that it has 2 triangles, which were read; 2 bytes stand behind them, and were "
          "passed over"),

@@ -35,6 +35,12 @@ double beyond_range(std::string_view word) {
   return minus ? -value : value;
 }
 
+/// What some compilers put behind "1." for no number: 1.#QNAN, -1.#IND, 1.#INF.
+bool is_no_number(std::string_view behind) {
+  return behind.starts_with("#QNAN") || behind.starts_with("#SNAN") || behind.starts_with("#IND") ||
+         behind.starts_with("#INF");
+}
+
 /// A word as a number; false: it is none.
 bool read_number(std::string_view word, double& value) {
   if (!word.empty() && word.front() == '+') {
@@ -47,9 +53,9 @@ bool read_number(std::string_view word, double& value) {
   if (error == std::errc::invalid_argument) return false;
   if (error == std::errc::result_out_of_range) value = beyond_range(word);
   if (end == stop) return true;
-  if (*end != '#') return false;
-  // As some compilers write them: 1.#QNAN, -1.#IND, 1.#INF.
-  value = stop - end > 3 && end[2] == 'N' && end[3] == 'F' ? std::copysign(HUGE_VAL, value) : NAN;
+  const std::string_view behind(end, static_cast<size_t>(stop - end));
+  if (!is_no_number(behind)) return false;
+  value = behind.starts_with("#INF") ? std::copysign(HUGE_VAL, value) : NAN;
   return true;
 }
 
@@ -73,16 +79,16 @@ class Scanner {
     while (!done()) {
       if (is_blank(text_[at_])) {
         ++at_;
-      } else if (comments && text_[at_] == '\\' && at_ + 1 < text_.size() && is_end(text_[at_ + 1])) {
-        ++at_;
-        pass_end();
+      } else if (comments && continues()) {
+        next_line();
       } else {
         break;
       }
     }
     const size_t begin = at_;
-    if (comments && !done() && text_[at_] == '#') return {};
-    while (!done() && !is_end(text_[at_]) && !is_blank(text_[at_]) && !(comments && continues())) ++at_;
+    while (!done() && !is_end(text_[at_]) && !is_blank(text_[at_]) && !(comments && (is_comment() || continues()))) {
+      ++at_;
+    }
     return text_.substr(begin, at_ - begin);
   }
 
@@ -117,7 +123,17 @@ class Scanner {
   }
 
  private:
-  bool continues() const { return text_[at_] == '\\' && at_ + 1 < text_.size() && is_end(text_[at_ + 1]); }
+  /// A comment may stand at once behind a number.
+  bool is_comment() const {
+    return text_[at_] == '#' && !(at_ > 0 && text_[at_ - 1] == '.' && is_no_number(text_.substr(at_)));
+  }
+  /// Blanks behind a backslash are not seen in an editor, and the last line may have no end.
+  bool continues() const {
+    if (text_[at_] != '\\') return false;
+    size_t behind = at_ + 1;
+    while (behind < text_.size() && is_blank(text_[behind])) ++behind;
+    return behind == text_.size() || is_end(text_[behind]);
+  }
   void pass_end() {
     if (text_[at_] == '\r' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n') ++at_;
     ++at_;
@@ -194,10 +210,14 @@ uint32_t Reader::index(std::string_view word, size_t begin, uint32_t line, const
       }
       return found;
     }
+    if (place >= 0) malformed(line, "there is no vertex " + std::to_string(value));
     if (value < 0) {
       malformed(line, "there is no vertex " + std::to_string(value) + ", as only " +
                           std::to_string(polygons_.point_count()) + " stand before this line");
     }
+  }
+  if (error == std::errc::result_out_of_range) {
+    malformed(line, "there is no vertex " + std::string(word.substr(0, word.find('/'))));
   }
   malformed(line, scanner_.quoted(begin) + " is not " + wanted);
 }

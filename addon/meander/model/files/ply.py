@@ -103,8 +103,9 @@ def _header(data: bytes) -> tuple[str | None, list[Element], int]:
     order: str | None = ""
     elements: list[Element] = []
     at = 0
+    line_end = b"\r" if data[3:4] == b"\r" and data[4:5] != b"\n" else b"\n"
     while True:
-        end = data.find(b"\n", at)
+        end = data.find(line_end, at)
         if end < 0:
             raise Malformed("has no end of its PLY header")
         words = data[at:end].decode("latin-1").split()

@@ -21,6 +21,7 @@ _FACTORS = (0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0x165667B19E3779F9)
 # Words that a text has near its beginning, whatever it begins with.
 _WORDS = (b"facet", b"vertex", b"outer")
 _LOOKED_AT = 4096
+_LONGEST_NAME = 65536
 
 
 def read_stl(path: Path) -> MeshOfFile:
@@ -52,7 +53,7 @@ def read_stl(path: Path) -> MeshOfFile:
     mesh = _of_bytes(path, data, count)
     behind = size - _TRIANGLE.itemsize * count
     mesh.remarks.append(
-        f"{path} says that it has {_triangles(count)}, which were read; {behind:,} bytes stand "
+        f"{path} says that it has {_triangles(count)}, which were read; {_bytes(behind)} "
         "behind them, and were passed over"
     )
     return mesh
@@ -97,12 +98,17 @@ def facet_colors(path: Path) -> tuple[NDArray[np.float64], NDArray[np.uint32]] |
     return colors, _joined(facets["corners"].reshape(-1, 3))[1].reshape(-1, 3)
 
 
+def _bytes(count: int) -> str:
+    return "1 byte stands" if count == 1 else f"{count:,} bytes stand"
+
+
 def _triangles(count: int) -> str:
     return "1 triangle" if count == 1 else f"{count:,} triangles"
 
 
 def _is_text(data: bytes) -> bool:
-    head = data[:_LOOKED_AT].lower()
+    # Some systems fill the last block of a text with zeros.
+    head = data[:_LOOKED_AT].rstrip(b"\0").lower()
     if b"\0" in head:
         return False
     return head.lstrip().startswith(b"solid") or any(word in head for word in _WORDS)
@@ -129,9 +135,21 @@ def _of_text(path: Path, data: bytes) -> MeshOfFile:
     faces, polygons = triangles_of(vertices, places[found.corners], found.ends)
     if not len(faces):
         raise FileError(f"{path} has no faces with an area; give a mesh with triangles")
-    return MeshOfFile(
+    mesh = MeshOfFile(
         vertices, faces, left_out(found.left_out), polygons, found.lines, joined=True
     )
+    # Cut off between two triangles it reads like a whole one.
+    if data[:64].lstrip().lower().startswith(b"solid") and b"endsolid" not in _end_of(data):
+        mesh.remarks.append(
+            f"{path} has no endsolid, so it may have been cut off; "
+            f"{_triangles(len(found.ends))} stood there"
+        )
+    return mesh
+
+
+def _end_of(data: bytes) -> bytes:
+    """In small letters, with room for a long name."""
+    return data[-_LONGEST_NAME:].lower()
 
 
 def _joined(
