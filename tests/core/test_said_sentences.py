@@ -139,6 +139,7 @@ TRIES = """
 --poses
 --output out.csv --standoff 1
 --output out.svg --frame-id map
+--point-limit 3
 --output out.usda --bake-frames 1 5 --input shot.blend --layout top
 --output out.wled.json --size 9000 --pitch 0.5
 --output out.xmodel --scale 1000 --pitch 0.1

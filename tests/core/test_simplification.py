@@ -14,6 +14,7 @@ from meander import batch, core
 from meander.model.files import obj
 from meander.model.geometry import simplification, thinning
 from meander.model.geometry.simplification import Light
+from sentences import assert_sentence
 
 
 def between(begin, end):
@@ -153,3 +154,21 @@ def test_the_command_writes_light_curves(tmp_path):
     assert {tuple(point) for point in light.points} <= every
     few = run("few.json", "--point-limit", "200")
     assert few["points"]["written"] <= 200
+
+
+@pytest.mark.parametrize("name", ["few.obj", "few.csv", "few.gcode"])
+def test_a_point_limit_that_no_tolerance_holds_is_said(tmp_path, capsys, name):
+    geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(4))
+    given = ["--input", tmp_path / "sheet.obj", "--output", tmp_path / name, "--spacing", "0.3"]
+    given += ["--quiet", "--report", tmp_path / "report.json", "--point-limit"]
+    top = ["--layout", "top"] if name.endswith("gcode") else []
+    assert batch.main([str(item) for item in [*given, "3", *top]]) == 0
+    record = json.loads((tmp_path / "report.json").read_text())
+    (warning,) = record["warnings"]
+    assert warning.startswith(f"{record['points']['written']:,} points are left")
+    assert warning in capsys.readouterr().err
+    assert_sentence(warning)
+    limit = record["points"]["written"]
+    assert batch.main([str(item) for item in [*given, limit, *top]]) == 0
+    assert json.loads((tmp_path / "report.json").read_text())["warnings"] == []
+    assert capsys.readouterr().err == ""

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
+from ..model import export as export_files
 from ..model import last_run, report
 from ..model.files import obj
 from ..model.files.whole import naming, whole_files
@@ -114,6 +115,10 @@ def write_outputs(
         warning = surface_crossings.crossing_warning(done.crossings)
         if warning:
             place.warn(warning)
+        beyond = _limit_problem_of(arguments, done.count)
+        if beyond:
+            record["warnings"].append(beyond)
+            place.warn(beyond)
         if grown.cut is not None:
             with naming(arguments.cut):
                 record["cut"] = cut.write(next(paths), arguments, given, grown.cut, place)
@@ -148,6 +153,18 @@ def _lines(
     if why and record["mirror"] is not None:
         why = record["mirror"]["why"] or why
     return {"count": len(closed), "closed": int(closed.sum()), "why": why or None}
+
+
+def _limit_problem_of(arguments: argparse.Namespace, count: int) -> str:
+    """What is said where more points are written than --point-limit asks for; empty: not more."""
+    limit, kind = arguments.point_limit, export_files.format_of(arguments.output)
+    chosen = kind is None or export_files.has_own_points(kind)
+    if limit is None or count <= limit or not chosen or arguments.resample_step is not None:
+        return ""
+    return (
+        f"{count:,} points are left, more than --point-limit {limit:,}: fewer would lie more than "
+        "a quarter of the spacing beside the curve; choose a larger spacing"
+    )
 
 
 def _write_curve(
