@@ -230,7 +230,7 @@ def write(
     given: Input,
     place: Place,
     spacing: float,
-    in_space: Sequence[toolpath.Strand],
+    line: before_writing.Line,
     frames: Sequence[tuple[float, Sequence[toolpath.Strand]]] = (),
     rate: float = 24.0,
 ) -> tuple[int, dict[str, Any]]:
@@ -238,7 +238,7 @@ def write(
     report's "drawing".
 
     spacing    the least one, in scene units
-    in_space   the strands before they were laid out
+    line       what the strands have been made of
     frames     times and strands of a curve that moves, and how many of them are a second
 
     Raises FileError for what is no drawing, and BadInput for one that no machine could take.
@@ -247,7 +247,7 @@ def write(
     metres = _metres(arguments, given, place)
     order = order_of(arguments)
     drawing = export.prepared(strands, kind, values, metres, spacing, order, frames, rate)
-    _refuse_unusable(drawing, kind, arguments, in_space, given)
+    _refuse_unusable(drawing, kind, arguments, line.in_space, given)
     title = arguments.output.name[: -len(export.suffix_of(arguments.output))]
     head, foot = (
         None if file is None else export.lines_of(file)
@@ -260,7 +260,7 @@ def write(
     short = len(strands) - len(drawing.strands)
     if short and order.go_on is None:
         place.warn(f"{short} strands are shorter than a stitch and are left out")
-    warning = before_writing.crossing_warning(drawing, kind, values)
+    warning = before_writing.crossing_warning(drawing, kind, values, line)
     if warning:
         place.warn(warning)
     places = drawing.crossings()

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from ..model import export
+from ..model import before_writing, export
 from ..model.files.whole import FileError
 from ..model.geometry import surface_crossings, thinning
 from ..model.toolpaths import order, parts, poses, toolpath
@@ -196,6 +196,7 @@ def write(
     drawn = kind is not None
     if drawn:
         strands = export_options.laid(strands, arguments, given, place)
+    laid = strands
     mesh = None if drawn else toolpath.Mesh(given.problem.vertices, given.problem.faces)
     ordered = export_options.order_of(arguments)
     if ordered.begin is not None:
@@ -214,8 +215,9 @@ def write(
         strands = parts.parted(strands, arguments.part_length, overlap, mesh)
     if drawn:
         frames, rate = _frames(arguments, given, grown, place)
+        line = before_writing.Line(in_space, laid, spacing)
         done = export_options.write(
-            path, arguments, strands, given, place, spacing, in_space, frames, rate
+            path, arguments, strands, given, place, spacing, line, frames, rate
         )
         return *done, places
     if ordered.go_on is not None:

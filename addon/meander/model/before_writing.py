@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .export import Format
+from .geometry import surface_crossings
 from .options.option import Values
 from .toolpaths.drawing import VIEWS, Drawing
 from .toolpaths.toolpath import Strand
@@ -108,8 +109,36 @@ def layout_by_shape(
     return better_layout(strands) if upright else "top"
 
 
-def crossing_warning(drawing: Drawing, kind: Format, values: Values) -> str:
-    """What to say of a flat drawing that crosses itself, and what to do; else nothing."""
+@dataclass(frozen=True)
+class Line:
+    """The line of all its points that a drawing shows.
+
+    in_space   its strands on the surface
+    laid       the same as they are laid, before points are chosen
+    spacing    the least one
+    """
+
+    in_space: Sequence[Strand]
+    laid: Sequence[Strand]
+    spacing: float
+
+    def crosses_on_surface(self) -> bool:
+        """As guides and bridges may."""
+        of_each = ((each.points, each.normals, each.closed) for each in self.in_space)
+        ways, normals, closed = zip(*of_each, strict=True)
+        return len(surface_crossings.crossings(ways, normals, closed, self.spacing)) > 0
+
+    def crosses_as_laid(self) -> bool:
+        return len(Drawing(list(self.laid), "mm", True).crossings()) > 0
+
+
+def crossing_warning(
+    drawing: Drawing, kind: Format, values: Values, line: Line | None = None
+) -> str:
+    """What to say of a flat drawing that crosses itself, and what to do; else nothing.
+
+    line   what it shows; None: that is not known
+    """
     places = drawing.crossings()
     if not len(places):
         return ""
@@ -117,13 +146,17 @@ def crossing_warning(drawing: Drawing, kind: Format, values: Values) -> str:
     many = "at 1 place" if len(places) == 1 else f"at {len(places):,} places, the first of them"
     if values["layout_as"] == "uv":
         what = "its UV map has parts on top of each other; pack the islands of the map"
-    elif not values["visible_only"]:
+    elif line is not None and line.crosses_on_surface():
+        what = "guides and bridges cross there; give guides that do not, or leave them out"
+    elif not values["visible_only"] and (line is None or line.crosses_as_laid()):
         what = (
             "one layer of the surface lies before another; leave out what is hidden by Visible "
             "Only (--visible-only)"
         )
     elif kind.name in ("DST", "PES"):
         what = "stitches cut corners; choose a smaller stitch tolerance"
+    elif values["arc_tolerance"] > 0.0:
+        what = "arcs lie too far beside the line; choose a smaller tolerance of the arcs"
     else:
         what = "its points are too far apart; choose a smaller tolerance or step"
     return f"the drawing crosses itself {many} at {where} {drawing.unit}: {what}"
