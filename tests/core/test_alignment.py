@@ -9,6 +9,7 @@ import pytest
 from meander import core
 from meander.model import alignment, density
 from meander.model.density import Choice
+from sentences import assert_sentence
 
 
 def test_uv_lines_are_those_of_the_map():
@@ -63,3 +64,20 @@ def test_a_flat_surface_has_no_curvature_to_follow():
     with core.Surface(vertices @ turn, faces) as surface:
         found = density.curvature_density(Choice("CURVATURE", "mean"), 0.1)(surface)
     assert (found == 1.0).all()
+
+
+@pytest.mark.parametrize(
+    ("mesh", "kind", "words"),
+    [
+        (geometry.grid(5), "curvature_min", "bends nowhere"),
+        (geometry.grid(5), "curvature_max", "bends nowhere"),
+        (geometry.icosphere(1), "boundary", "no boundary to run along"),
+        (geometry.grid(1), "boundary", "is a corner of its boundary"),
+    ],
+)
+def test_a_direction_that_is_nowhere_is_said_as_what_it_is(mesh, kind, words):
+    """Nobody gave vectors, so none is to be other than 0."""
+    with core.Surface(mesh.vertices, mesh.faces) as surface:
+        with pytest.raises(core.MeanderError, match=words) as refusal:
+            alignment.computed(kind)(surface)
+    assert_sentence(str(refusal.value))

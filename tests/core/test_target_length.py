@@ -154,7 +154,7 @@ def test_the_nearest_of_the_whole_runs_is_written(ball: Path, monkeypatch, capsy
     [
         (("--spacing", "1", "--target-length", "5"), "both given"),
         (("--target-length", "0"), "not greater than 0"),
-        (("--target-length", "1e12"), "larger spacing"),
+        (("--target-length", "1e12"), "smaller length"),
         (("--target-length", "1e-3"), ""),
     ],
 )
@@ -162,3 +162,13 @@ def test_what_cannot_be_is_refused(ball: Path, extra, words, capsys) -> None:
     assert run(ball, *extra) == 2
     assert words in capsys.readouterr().err
     assert not ball.with_name("a.obj").exists()
+
+
+@pytest.mark.parametrize(("length", "way"), [("0.5", "greater"), ("1e9", "smaller")])
+def test_what_no_spacing_can_give_is_said_of_the_length(ball: Path, length, way, capsys) -> None:
+    """Nobody gave a spacing, so none is to be chosen."""
+    assert run(ball, "--target-length", length) == 2
+    said = capsys.readouterr().err.strip()
+    assert f"a length of {float(length):g} needs a spacing of about" in said
+    assert said.endswith(f"choose a {way} length")
+    assert "choose a smaller spacing" not in said and "choose a larger spacing" not in said

@@ -97,7 +97,11 @@ def begin(arguments: argparse.Namespace, place: Place) -> Search | None:
         return Search(wanted)
 
     def length_at(spacing: float) -> float:
-        length = _TIMES_AS_LONG * _coarse_length(spacing, arguments, place)
+        try:
+            length = _TIMES_AS_LONG * _coarse_length(spacing, arguments, place)
+        except (BadInput, core.MeanderError) as refusal:
+            said = _of_spacing(str(refusal), spacing, wanted, given.problem.vertices)
+            raise BadInput(said) from refusal
         place.say(f"meander: at a spacing of {spacing:.6g} the curve is about {length:.6g} long")
         return length
 
@@ -155,6 +159,18 @@ def _refusal(wanted: float, spacing: float, length: float) -> str:
     return (
         f"no spacing gives a length of {wanted:g}: the nearest one found is {length:.4g}, at a "
         f"spacing of {spacing:.4g}; choose another length, or that spacing"
+    )
+
+
+def _of_spacing(said: str, spacing: float, wanted: float, vertices: np.ndarray) -> str:
+    """What is said of a spacing, to whom a length was asked of; of all else what it is."""
+    what, _, way = said.partition("; ")
+    if "spacing" not in way:
+        return said
+    wide = spacing > np.linalg.norm(np.ptp(vertices, axis=0)) / 2.0
+    return (
+        f"a length of {wanted:g} needs a spacing of about {spacing:.4g}: {what[:1].lower()}"
+        f"{what[1:]}; choose a {'greater' if wide else 'smaller'} length"
     )
 
 

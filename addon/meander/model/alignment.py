@@ -96,9 +96,27 @@ def computed(kind: str, smoothing: float = 0.0) -> Directions:
     def on(surface: core.Surface, context: core.Context | None = None) -> NDArray[np.float64]:
         # Averaging over more than the mesh is no mistake worth stopping for.
         smoothing_here = min(smoothing, surface.statistics()["diagonal"])
-        return surface.directions(kind, smoothing_here, context)
+        lines = surface.directions(kind, smoothing_here, context)
+        if not lines.any():
+            raise core.MeanderError(_nowhere(kind, surface))
+        return lines
 
     return on
+
+
+def _nowhere(kind: str, surface: core.Surface) -> str:
+    """What is said where directions that are computed are nowhere on a surface."""
+    if kind != "boundary":
+        return (
+            "The surface bends nowhere, and so its curvature has no directions; choose a smooth "
+            "direction, the boundary or an axis"
+        )
+    if surface.statistics()["boundary_loops"] == 0:
+        return "The surface has no boundary to run along; choose a smooth direction or an axis"
+    return (
+        "Every vertex of the mesh is a corner of its boundary, where that has no direction; divide "
+        "the faces, or choose a smooth direction or an axis"
+    )
 
 
 def turned(directions: Directions, degrees: NDArray[np.float64]) -> Directions:
