@@ -66,11 +66,30 @@ def test_a_flat_surface_has_no_curvature_to_follow():
     assert (found == 1.0).all()
 
 
+def _turned(mesh):
+    """Anywhere, where its places are rounded."""
+    turn, _ = np.linalg.qr(np.random.default_rng(3).normal(size=(3, 3)))
+    return geometry.Mesh((mesh.vertices @ turn).astype(np.float32), mesh.faces)
+
+
+def test_what_bends_a_little_has_directions_of_curvature():
+    """A sheet of which a tenth of a radian is seen from end to end."""
+    mesh = geometry.grid(20)
+    angle = 0.1 * mesh.vertices[:, 0] / np.ptp(mesh.vertices[:, 0])
+    radius = np.ptp(mesh.vertices[:, 0]) / 0.1
+    rolled = np.stack([radius * np.sin(angle), mesh.vertices[:, 1], radius * np.cos(angle)], axis=1)
+    with core.Surface(rolled, mesh.faces) as surface:
+        lines = surface.directions("curvature_min", 0.1)
+    assert np.abs(lines[:, 1]).min() > 0.99
+
+
 @pytest.mark.parametrize(
     ("mesh", "kind", "words"),
     [
         (geometry.grid(5), "curvature_min", "bends nowhere"),
         (geometry.grid(5), "curvature_max", "bends nowhere"),
+        (_turned(geometry.grid(5)), "curvature_min", "bends nowhere"),
+        (_turned(geometry.grid(30)), "curvature_max", "bends nowhere"),
         (geometry.icosphere(1), "boundary", "no boundary to run along"),
         (geometry.grid(1), "boundary", "is a corner of its boundary"),
     ],

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/fields.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -137,9 +138,11 @@ VertexData<Vec3> principal_directions(const Surface& surface, bool most, double 
                                       const CancelToken& cancel) {
   const VertexGeometry g(surface, cancel.every(kPieces));
   const Lines least = least_bending(g, radius);
-  // Where the surface bends equally in all directions only rounding would be left.
-  constexpr double kNothing = 1e-7;
-  return g.to_space(most ? Lines(-least) : least, kNothing * mean_size(least));
+  // Where the surface bends equally in all directions only rounding would be left, and so would it where all of it
+  // bends by less than a thousandth of a radian: a plane in any other place than that of an axis. Lengths are in
+  // units of the diagonal.
+  constexpr double kNothing = 1e-7, kFlat = 1e-3 * 1e-3;
+  return g.to_space(most ? Lines(-least) : least, std::max(kNothing * mean_size(least), kFlat));
 }
 
 VertexData<Vec3> smoothest_directions(const Surface& surface, const CancelToken& cancel) {
