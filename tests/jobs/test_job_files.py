@@ -205,6 +205,11 @@ MISTAKES = {
     "a blank input": (SPACING + '[[items]]\ninput = [" "]\n', "input is empty"),
     "a folder as a seed": (SPACING + ITEM + 'seed = "meshes"\n', "is a folder"),
     "no TOML": ("[job", "no TOML"),
+    "a point without a digit before it": ("[defaults]\nspacing = .2\n" + ITEM, "write 0.2"),
+    "the same in a list": (SPACING + ITEM + "from = [0, -.5, 1]\n", "write 0.2"),
+    "a point without a digit behind it": ("[defaults]\nspacing = 2.\n" + ITEM, "write 0.2"),
+    "a long name": (SPACING + ITEM + f'name = "{"x" * 300}"\n', "too long"),
+    "a long output": (SPACING + ITEM + f'output = "a/{"é" * 120}.obj"\n', "too long"),
     "nothing to do": (SPACING, "nothing to do"),
     "nothing at all": ("", "nothing to do"),
     "no table": ("items = 3\n", "[[items]]"),
@@ -296,7 +301,7 @@ def test_a_mistake_is_one_sentence(refused, name):
     [
         ("--shard", "0/4"), ("--shard", "5/4"), ("--shard", "half"), ("--jobs", "0"),
         ("--slurm", "0"), ("--slurm", "4", "--list"), ("--slurm", "4", "--shard", "1/4"),
-        ("--no-such",),
+        ("--no-such",), ("--summary", "nowhere/a.json"), ("--summary", "/"),
     ],
     ids=" ".join,
 )  # fmt: skip

@@ -45,6 +45,8 @@ def said(job: Job, capsys: pytest.CaptureFixture, monkeypatch: pytest.MonkeyPatc
         run(text)
     run(SPACING + ITEM, "--shard", "5/4")
     run(SPACING + ITEM, "--status", "--summary", str(job.file))
+    run(SPACING + ITEM, "--summary", "nowhere/a.json")
+    run(SPACING + ITEM, "--summary", "/")
     run(SPACING + ITEM + 'output = "summary.json"\nresample-step = 0.1\n')
     run(SPACING + ITEM, "--shard", "1/4", "--slurm", "4")
     run(SPACING + '[[items]]\ninput = "gone.blend"\nobject = "*"\n')

@@ -80,6 +80,8 @@ def _run(arguments: argparse.Namespace) -> int:
     kept = folder.state / "objects" if not looks or folder.state.is_dir() else None
     name = "summary.json" if count == 1 else f"summary-{number}-of-{count}.json"
     summary = arguments.summary or folder.path / name
+    if arguments.summary is not None and not looks:
+        _check_place(summary)
     items = items_of(job, Meshes(engine.blender_of(job), kept), summary)
     if arguments.slurm is not None:
         if arguments.shard is not None:
@@ -113,6 +115,14 @@ def _run(arguments: argparse.Namespace) -> int:
     if not finished:
         return 130
     return 1 if progress.failures or progress.left else 0
+
+
+def _check_place(summary: Path) -> None:
+    """Refuses a summary that could not be written when all is done. Raises JobError."""
+    if summary.is_dir():
+        raise JobError(f"--summary {summary} is a folder; give a file name")
+    if not summary.absolute().parent.is_dir():
+        raise JobError(f"the folder of --summary {summary} does not exist; make it first")
 
 
 def _shard(text: str | None) -> tuple[int, int]:

@@ -29,6 +29,9 @@ _FRAMES = re.compile(r"\s*(-?\d{1,7})\s*(?:-\s*(-?\d{1,7})\s*(?::\s*(\d{1,7})\s*
 _WIDTH = re.compile(r"[<>^]?\d{0,3}d?")
 # Items of one job; more are surely a mistake in the frames.
 _MOST_FRAMES = 100_000
+# Of a file or a folder, in bytes: file systems have room for 255, of which the ends of names and of
+# temporary files take some.
+_LONGEST_NAME = 200
 
 
 @dataclass(frozen=True)
@@ -302,6 +305,8 @@ def _filled(where: str, key: str, pattern: Any, values: Mapping[str, Any]) -> st
         raise JobError(f"{where}: the {key} is empty; give one, or leave it out")
     if os.path.isabs(text) or ".." in parts or parts[0].startswith("."):
         raise JobError(f"{where}: the {key} {text!r} leads out of the job's folder; correct it")
+    if any(len(os.fsencode(part)) > _LONGEST_NAME for part in parts):
+        raise JobError(f"{where}: the {key} is too long for a file; give a shorter one")
     return text
 
 

@@ -16,6 +16,9 @@ from ..model.files.text import read_plain
 from ..model.files.whole import FileError
 
 # What "\t", "\b", "\f" and the like in quotes are.
+_BACKSLASH = re.compile(r"\\")
+# A number as other languages have it: .2, -.5 or 3., behind what a value stands behind.
+_BARE_POINT = re.compile(r"[=\[,]\s*[+-]?(\.\d|\d+\.(?!\d))")
 _CONTROL = re.compile(r"[\x00-\x1f\x7f]")
 
 ENGINES = ("auto", "blender", "python")
@@ -100,11 +103,16 @@ def _tables(path: Path) -> dict[str, Any]:
         raise JobError(f"{path} is not text in UTF-8; save it again as UTF-8") from problem
     except ValueError as problem:  # also of numbers without end
         if re.search(r"^(Unescaped|Invalid hex value)", str(problem)) and (
-            backslash := _line_with_backslash(path, problem)
+            backslash := _line_of(problem, path, _BACKSLASH)
         ):
             raise JobError(
                 f"{path}, line {backslash}: a backslash in \"...\" begins a special letter; write "
                 "paths with /, or in '...'"
+            ) from problem
+        if number := _line_of(problem, path, _BARE_POINT):
+            raise JobError(
+                f"{path}, line {number}: a number of TOML has a digit before its point and behind "
+                "it; write 0.2 for .2"
             ) from problem
         raise JobError(f"{path} is no TOML: {problem}; correct it there") from problem
     except RecursionError as problem:
@@ -113,12 +121,12 @@ def _tables(path: Path) -> dict[str, Any]:
     return tables
 
 
-def _line_with_backslash(path: Path, problem: ValueError) -> int:
-    """The line that an error names, where a backslash stands in it; else 0."""
+def _line_of(problem: ValueError, path: Path, pattern: re.Pattern[str]) -> int:
+    """The line that an error names, where a pattern is found in it; else 0."""
     found = re.search(r"at line (\d+)", str(problem))
     lines = read_plain(path).decode("utf-8", "replace").split("\n")
     number = int(found[1]) if found else 0
-    return number if number and "\\" in lines[number - 1] else 0
+    return number if number and pattern.search(lines[number - 1]) else 0
 
 
 def _refuse_control_letters(path: Path, value: Any) -> None:
