@@ -316,3 +316,64 @@ def test_the_image_is_not_overwritten(
     assert _run(path, "--density-image", victim, option, victim) == 2
     assert f"{option} would overwrite --density-image" in capsys.readouterr().err
     assert victim.read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    ("most", "kind"),
+    [(255, "{0:.0f} {0:.0f} {0:.0f}"), (65535, "{0:.0f} {0:.0f} {0:.0f}")],
+)
+def test_whole_numbers_of_an_obj_count_to_their_most(tmp_path: Path, most: int, kind: str) -> None:
+    whole = _obj(tmp_path / "whole.obj", kind)
+    scaled = [
+        " ".join([*words[:4], *(f"{round(most * float(word))}" for word in words[4:])])
+        for words in (line.split() for line in _obj(tmp_path / "one.obj").read_text().splitlines())
+        if words[0] == "v"
+    ]
+    faces = [line for line in whole.read_text().splitlines() if line.startswith("f ")]
+    whole.write_text("\n".join([*scaled, *faces, ""]))
+    found, wanted = (
+        density.values_of_file(Choice("COLOR", "rgb"), path, len(MESH.vertices), read_image)
+        for path in (whole, tmp_path / "one.obj")
+    )
+    assert np.allclose(found, wanted, atol=2.5 / most)
+    assert wanted.min() == 0.0 and wanted.max() == 1.0
+
+
+@pytest.mark.parametrize("color", ["-1 0 0", "1.5 0 0", "70000 0 0"])
+def test_colours_that_are_none_are_said(tmp_path: Path, color: str, capsys) -> None:
+    mesh = _obj(tmp_path / "a.obj", color)
+    output = ["--output", str(tmp_path / "o.obj"), "--spacing", "0.2", "--density-color", "rgb"]
+    assert batch.main(["--input", str(mesh), *output]) == 2
+    said = capsys.readouterr().err.strip()
+    assert "has colours that are neither numbers from 0 to 1 nor whole ones from 0 to 255" in said
+    assert_sentence(said.removeprefix("meander: "))
+
+
+@pytest.mark.parametrize(
+    ("extra", "color", "words"),
+    [
+        ([], "0.5 0.5 0.5", "everywhere"),
+        (["--density-range", "2", "3"], "{0:.9g} {0:.9g} {0:.9g}", "choose another --density-range"),
+        (["--spacing-factors", "1", "1"], "{0:.9g} {0:.9g} {0:.9g}", "or other factors"),
+        ([], "{0:.9g} {0:.9g} {0:.9g}", ""),
+    ],
+)
+def test_a_density_without_effect_is_said(tmp_path, capsys, extra, color, words) -> None:
+    mesh = _obj(tmp_path / "a.obj", color)
+    report = tmp_path / "r.json"
+    argv = ["--input", mesh, "--output", tmp_path / "o.obj", "--spacing", "0.2", "--quiet"]
+    argv += ["--iterations", "2", "--density-color", "rgb", "--report", report, *extra]
+    assert batch.main([str(word) for word in argv]) == 0
+    said = capsys.readouterr().err
+    warnings = json.loads(report.read_text())["warnings"]
+    assert ("the density makes the spacing" in said) == bool(words) == bool(warnings)
+    for warning in warnings:
+        assert_sentence(warning)
+    assert words in said
+
+
+def test_factors_may_be_as_far_apart_as_each_may_be(tmp_path: Path) -> None:
+    mesh = _obj(tmp_path / "a.obj")
+    argv = ["--input", mesh, "--output", tmp_path / "o.obj", "--spacing", "0.2", "--quiet"]
+    argv += ["--iterations", "1", "--density-color", "rgb", "--spacing-factors", "5", "0.05"]
+    assert batch.main([str(word) for word in argv]) == 0

@@ -300,6 +300,7 @@ ELSEWHERE = {
     "cannot be used in Blender, which prints": "needs Blender: test_standard_streams.py",
     "is not a finite number at vertex": "needs such a file: test_density_of_files.py",
     "has colours that are no numbers": "the same",
+    "has colours that are neither numbers": "the same",
     "has no numbers '\0' of vertices": "the same",
     "has no colours of vertices or": "the same",
     "needs UVs, which a .stl": "the same",

@@ -331,6 +331,23 @@ def values_of_file(
     return values
 
 
+def idle_of(choice: Choice, values: Values) -> list[str]:
+    """What there is to warn of where values make the spacing the same everywhere."""
+    if choice.is_tone:
+        return []
+    factors = choice.ramp(values).factors(values)
+    if float(np.ptp(factors)) > 0.0:
+        return []
+    low, high = float(values.min()), float(values.max())
+    why = f"its values are {low:.4g} everywhere; choose others"
+    if low < high:
+        why = (
+            f"no difference is made between {low:.4g} and {high:.4g}; choose another "
+            "--density-range, or other factors"
+        )
+    return [f"the density makes the spacing {factors[0]:.4g} times as large everywhere: {why}"]
+
+
 def echo(arguments: argparse.Namespace, choice: Choice) -> dict[str, Any]:
     """The entries of the report about the density and the tone."""
     entries: dict[str, Any] = {

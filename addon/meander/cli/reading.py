@@ -102,6 +102,7 @@ def _set_fields(given: Input, arguments: argparse.Namespace, place: Place) -> No
         )
         if given.values is not None:
             problem.density = given.density_choice.density(given.values)
+            given.warnings += density.idle_of(given.density_choice, given.values)
     problem.directions = terms.directions_without_a_scene(
         given.alignment, problem.vertices, problem.faces, radius
     )

@@ -56,7 +56,8 @@ VertexData<double> checked_density(const double* density, size_t count, const Su
     least = v == 0 ? density[v] : std::min(least, density[v]);
     most = std::max(most, density[v]);
   }
-  if (most > 1e4 * least) {
+  // Factors of .05 and 5 of the spacing are allowed, whose squares are apart by that, but for rounding.
+  if (most > (1 + 1e-9) * 1e4 * least) {
     refuse("The density varies by a factor of " + number(most / least) + "; at most 10000 is allowed.");
   }
   return surface_values(map, {density, count});

@@ -51,7 +51,7 @@ def colors_of(path: Path) -> Found:
     if kind == ".ply":
         tables = read_tables(path)
         for name in ("vertex", "face"):
-            colors = _colors(tables.get(name))
+            colors = _colors(path, tables.get(name))
             if found is None and colors is not None:
                 found = _of(path, tables, name, colors)
     elif kind == ".stl":
@@ -68,15 +68,27 @@ def colors_of(path: Path) -> Found:
     return found
 
 
-def _colors(table: Table | None) -> NDArray[np.float64] | None:
+def _colors(path: Path, table: Table | None) -> NDArray[np.float64] | None:
     numbers = {} if table is None else table.scalars
     if any(name not in numbers for name in _CHANNELS):
         return None
     columns = [numbers[name] for name in _CHANNELS]
     whole = max((np.iinfo(c.dtype).max for c in columns if c.dtype.kind in "iu"), default=1)
     colors = np.column_stack(columns).astype(np.float64)
-    # Text has no types; whole numbers count to 255.
-    return colors / (255.0 if whole == 1 and colors.max(initial=0.0) > 1.0 else whole)
+    return _scaled(path, colors) if whole == 1 else colors / whole
+
+
+def _scaled(path: Path, colors: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Colours of a text, which has no types: whole numbers of which one is beyond 1 count to 255,
+    or to 65535. Raises FileError for what is neither; what is not finite is passed on."""
+    known = colors[np.isfinite(colors)]
+    most = known.max(initial=0.0)
+    if known.min(initial=0.0) < 0.0 or most > 65535.0 or (most > 1.0 and (known % 1.0).any()):
+        raise FileError(
+            f"{path} has colours that are neither numbers from 0 to 1 nor whole ones from 0 to "
+            "255; correct them"
+        )
+    return colors / (1.0 if most <= 1.0 else 255.0 if most <= 255.0 else 65535.0)
 
 
 def _of(path: Path, tables: dict[str, Table], name: str, rows: NDArray[np.float64]) -> Found:
@@ -94,9 +106,10 @@ def _obj_colors(path: Path) -> Found | None:
     # With seven numbers the fourth is the weight of a point.
     first = 4 if all(len(row) == 7 for row in rows) else 3
     try:
-        return Found(np.array([row[first : first + 3] for row in rows]).astype(np.float64))
+        colors = np.array([row[first : first + 3] for row in rows]).astype(np.float64)
     except ValueError:
         raise FileError(f"{path} has colours that are no numbers; correct them") from None
+    return Found(_scaled(path, colors))
 
 
 def numbers_of(path: Path, name: str) -> Found:
