@@ -353,7 +353,7 @@ def test_colours_that_are_none_are_said(tmp_path: Path, color: str, capsys) -> N
     ("extra", "color", "words"),
     [
         ([], "0.5 0.5 0.5", "everywhere"),
-        (["--density-range", "2", "3"], "{0:.9g} {0:.9g} {0:.9g}", "choose another --density-range"),
+        (["--density-range", "2", "3"], "{0:.9g} {0:.9g} {0:.9g}", "another --density-range"),
         (["--spacing-factors", "1", "1"], "{0:.9g} {0:.9g} {0:.9g}", "or other factors"),
         ([], "{0:.9g} {0:.9g} {0:.9g}", ""),
     ],

@@ -272,7 +272,7 @@ def _lines(lines: dict[str, Any]) -> str:
     said = last_run.lines(lines["count"], lines["closed"])
     if not lines["why"]:
         return said[:1].lower() + said[1:]
-    out = ", which --smallest-part leaves out" if lines["small_parts"] else ""
+    out = "; --smallest-part leaves out the small ones" if lines["small_parts"] else ""
     return f"{said}: {lines['why']}{out}"
 
 

@@ -88,9 +88,14 @@ def summary(figures: dict[str, Any], empty: Empty) -> str:
     }.get(reason, reason)
     if empty.matters:
         ending = f"{ending}, with {percent(empty.share)} of the surface empty,"
+    spacing = f"spacing {figures['spacing_target']:.4g} wanted"
+    if figures["spacing_median"] > 0.0:  # else there is no strand beside another
+        spacing = (
+            f"spacing {figures['spacing_median']:.4g} in the median "
+            f"({figures['spacing_target']:.4g} wanted)"
+        )
     return (
         f"{ending} after {figures['iterations']} iterations and "
         f"{figures['seconds_total']:.2f} s: {figures['nodes']} nodes, length "
-        f"{figures['length']:.6g}, spacing {figures['spacing_median']:.4g} in the median "
-        f"({figures['spacing_target']:.4g} wanted)"
+        f"{figures['length']:.6g}, {spacing}"
     )

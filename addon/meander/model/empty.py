@@ -69,6 +69,10 @@ def percent(share: float) -> str:
     return f"{percents:.1f} %" if percents < 1.0 else f"{min(percents, 100.0):.0f} %"
 
 
+# As a share of how far a place is from the line.
+_NEXT_TO_NOTHING = 1e-6
+
+
 def remark(
     empty: Empty,
     reason: str,
@@ -88,7 +92,9 @@ def remark(
     what = longer if reason == "iteration_limit" else otherwise or closer
     place = ""
     if empty.largest is not None and empty.where is not None:
-        x, y, z = (length(value) for value in empty.where)
+        # Places are rounded: what is next to 0 is 0.
+        least = _NEXT_TO_NOTHING * empty.largest
+        x, y, z = (length(value if abs(value) > least else 0.0) for value in empty.where)
         place = f", most around ({x}, {y}, {z}), up to {length(empty.largest)} from it"
     return f"{percent(empty.share)} of the surface is empty, far from the line{place}; {what}"
 

@@ -200,7 +200,8 @@ def fit_remark(
     distance = float(figures["seed_distance"])
     if not parts or not distance > radius:
         return ""
-    return f"moved the seed to the surface, from up to {length(distance)} away"
+    what = "guides" if all(part.guide for part in parts) else "seed"
+    return f"moved the {what} to the surface, from up to {length(distance)} away"
 
 
 def empty_parts(count: int) -> str:
