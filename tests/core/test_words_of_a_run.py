@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from meander import batch
 from meander.model import empty, strands
 from meander.model.empty import Empty
@@ -50,3 +51,20 @@ def test_a_spacing_that_was_not_measured_is_not_said(tmp_path, capsys) -> None:
     assert "in the median" not in said and "spacing 0.5 wanted" in said
     _said(tmp_path, SQUARE, "--spacing", 0.1)
     assert "in the median (0.1 wanted)" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (("--segment-length", 5), "--segment-length 5 is out of range; choose from 0.0005 to 0.05"),
+        (("--max-radius", 1e-9), "--max-radius 1e-09 is out of range; choose from 0.075 to 50000"),
+        (("--length-power", 1), "--length-power 1 is out of range; choose from 1.5 to 8"),
+        (("--bending", 1e9), "--bending 1e+09 is out of range; choose from 0 to 1e+06"),
+    ],
+)
+def test_what_the_library_refuses_is_said_of_the_flag(tmp_path, capsys, options, words) -> None:
+    """In its unit: the library counts lengths in halves of the spacing."""
+    (tmp_path / "mesh.obj").write_text(SQUARE)
+    argv = ["--input", tmp_path / "mesh.obj", "--output", tmp_path / "out.obj", *options]
+    assert batch.main([str(word) for word in (*argv, "--spacing", 0.1, "--quiet")]) == 2
+    assert capsys.readouterr().err.splitlines()[-1] == f"meander: {words}"

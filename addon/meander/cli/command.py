@@ -24,6 +24,7 @@ from ..model.preparation import described
 from ..model.toolpaths import bridges
 from . import (
     cut,
+    flags,
     least_bend,
     limits,
     maps,
@@ -288,11 +289,11 @@ def _open(given: Input, arguments: argparse.Namespace, place: Place) -> Opened:
     try:
         return open_flow(given.problem, accept=accept)
     except core.MeanderError as refusal:
-        named = refusal
+        named = flags.in_own_words(refusal, arguments)
         if given.surface_object is not None and place.host is not None:
-            named = place.host.in_polygons(refusal, given.surface_object)
+            named = place.host.in_polygons(named, given.surface_object)
         if given.mesh_file is not None:
-            named = meshes.in_file(refusal, given.mesh_file)
+            named = meshes.in_file(named, given.mesh_file)
         raise strands.explained(named, given.parts) from refusal
 
 

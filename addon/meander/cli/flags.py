@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 from collections.abc import Iterable
 from typing import Any
 
@@ -12,6 +13,10 @@ from ..model.options.machines import PANEL
 from ..model.options.option import Flag, Option, apply
 from ..model.options.table import OF_THE_FLOW, TABLE
 from . import values
+
+_RANGE = re.compile(
+    r"The option (\w+)(?: \(in units of r\))? is .*; it must be between (\S+) and (\S+)\."
+)
 
 FLAGGED: tuple[tuple[Option, Flag], ...] = tuple(
     (option, option.flag) for option in TABLE if option.flag is not None
@@ -81,6 +86,25 @@ def flow_options(arguments: argparse.Namespace) -> core.FlowOptions:
         if option.field and flag.in_scene_units and value is not None:
             setattr(options, option.field, value)  # to the last bit
     return options
+
+
+def in_own_words(
+    refusal: core.MeanderError, arguments: argparse.Namespace
+) -> core.MeanderError:
+    """What the library refuses of an option, in the name and the unit of its flag."""
+    found = _RANGE.fullmatch(str(refusal))
+    if found is None:
+        return refusal
+    for option, flag in FLAGGED:
+        value = getattr(arguments, flag.destination)
+        if option.field == found[1] and value is not None:
+            unit = arguments.spacing / 2 if flag.in_scene_units else 1.0
+            least, most = (unit * float(limit) for limit in found.groups()[1:])
+            return core.MeanderError(
+                f"{flag.name} {value:g} is out of range; choose from {least:g} to {most:g}",
+                refusal.status,
+            )
+    return refusal
 
 
 def entries(arguments: argparse.Namespace, options: core.FlowOptions) -> dict[str, Any]:
