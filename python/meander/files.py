@@ -90,9 +90,7 @@ def write_curve(
     Raises FileError: the file cannot be written, or an option means nothing for its format.
     """
     path = Path(path)
-    if not isinstance(flow, Flow):
-        raise FileError(f"flow must be a Flow, not a {type(flow).__name__}; write that of one")
-    _refuse(path, step, tolerance)
+    _refuse(path, flow, step, tolerance)
     suffix, kind = export.suffix_of(path), export.format_of(path)
     values = drawing_values(suffix, kind, drawing)
     paper = _paper(sheet, sheet_margin)
@@ -145,7 +143,9 @@ def _paper(sides: Any, margin: Any) -> Paper | None:
     return found
 
 
-def _refuse(path: Path, step: float | None, tolerance: float | None) -> None:
+def _refuse(path: Path, flow: Any, step: float | None, tolerance: float | None) -> None:
+    if not isinstance(flow, Flow):
+        raise FileError(f"flow must be a Flow, not a {type(flow).__name__}; write that of one")
     if export.suffix_of(path) not in _CURVES:
         raise FileError(
             f"{path} is no {', '.join(_CURVES[:-1])} or {_CURVES[-1]} file; choose another suffix"
