@@ -32,7 +32,7 @@ FullStart start_of(const Mesh& mesh, const Surface& surface, const RadiusField& 
   const auto shared = std::make_shared<const Surface>(make_surface(mesh));
   const Flow flow(shared, nullptr, {}, checked_settings(options_of(2 * r * surface.scale()), surface));
   ThreadPool pool(1);
-  return full_start(surface, flow.curve(), 0, radius, {}, nullptr, 0.5, pool, true);
+  return full_start(surface, flow.curve(), 0, radius, {}, nullptr, 0.5, pool);
 }
 
 /// Area over spacing, as the mean of places all over every face.

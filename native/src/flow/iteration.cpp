@@ -45,12 +45,21 @@ void Iteration::lay(size_t drawn) {
   if (plan_.phase == Phase::kLayingRest) lay_in_empty(given_.curve.strands.size());
 }
 
+/// What is left beside strands is as wide as it happens to be: streamlines begin beside them. So they do in what is
+/// narrow, where there is one along the middle.
+StartLines Iteration::lines_to_lay() const {
+  const Domain& domain = given_.domain;
+  if (domain.asked_radius.varies()) return StartLines::kPhase;
+  if (domain.narrow) return StartLines::kStreamlines;
+  if (domain.even_rows) return StartLines::kCounted;
+  return plan_.phase == Phase::kStarting ? StartLines::kPhase : StartLines::kStreamlines;
+}
+
 void Iteration::lay_in_empty(size_t trunks) {
   const Domain& domain = given_.domain;
   const Curve first = with_short_segments();
   FullStart laid = full_start(*domain.surface, first, trunks, domain.radius, domain.directions,
-                              domain.patches.get(), given_.settings.boundary_distance, pool_,
-                              domain.asked_radius.varies() || (domain.even_rows && !domain.narrow),
+                              domain.patches.get(), given_.settings.boundary_distance, pool_, lines_to_lay(),
                               given_.settings.variation);
   figures_.laid = laid.laid_any();
   report_ = given_.start;

@@ -14,6 +14,7 @@
 #include "flow/step.h"
 #include "medial/medial_state.h"
 #include "model/strand_solver.h"
+#include "seed/full_start.h"
 
 namespace meander {
 
@@ -78,6 +79,7 @@ class Iteration {
   void commit(FlowState& state, RunRecord& record, double seconds) noexcept;
 
  private:
+  StartLines lines_to_lay() const;
   void lay_in_empty(size_t trunks);
   Curve with_short_segments();
   const FlowState& before() const { return laid_ ? *laid_ : given_; }

@@ -40,11 +40,6 @@ class LineField {
     }
   }
 
-  /// Turns all lines by the same angle, whose double `square` is the direction of.
-  void turn(Vec2 square) {
-    for (Vec2& s : square_) s = square * s;
-  }
-
   /// No direction anywhere.
   bool empty() const { return square_.empty(); }
 

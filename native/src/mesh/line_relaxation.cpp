@@ -29,6 +29,7 @@ constexpr uint32_t kFan = 8;
 struct Level {
   Couplings<Vec2> edges;
   Pairs<Vec2> pairs;
+  std::vector<Vec2> held;  // per row: squares of lines that hold it, times the weights of that
 };
 
 Vec2 squared(Vec2 v) { return v * v; }
@@ -66,14 +67,16 @@ Couplings<Vec2> of_faces(const Surface& s, const std::vector<Vec2>& carried, Can
   return edges;
 }
 
+/// `held`  per row, what holds its line, times the weight of that
 /// Lines for which stays(i) holds are not changed.
 template <class Stays>
-void relax(const Couplings<Vec2>& edges, int sweeps, std::vector<Vec2>& lines, const Stays& stays, CancelToken& poll) {
+void relax(const Couplings<Vec2>& edges, const std::vector<Vec2>& held, int sweeps, std::vector<Vec2>& lines,
+           const Stays& stays, CancelToken& poll) {
   const size_t count = edges.size();
   std::vector<double> share(count, 0);
   for (size_t i = 0; i < count; ++i) {
     if (stays(i)) continue;
-    double weight = 0;
+    double weight = norm(held[i]);
     for (uint32_t e = edges.start[i]; e < edges.start[i + 1]; ++e) weight += norm(edges.weight[e]);
     if (weight > 0) share[i] = 1 / weight;
   }
@@ -82,7 +85,7 @@ void relax(const Couplings<Vec2>& edges, int sweeps, std::vector<Vec2>& lines, c
       poll();
       const size_t i = sweep % 2 == 0 ? k : count - 1 - k;
       if (!(share[i] > 0)) continue;
-      Vec2 sum;
+      Vec2 sum = held[i];
       for (uint32_t e = edges.start[i]; e < edges.start[i + 1]; ++e) {
         sum = sum + edges.weight[e] * lines[edges.neighbour[e]];
       }
@@ -157,32 +160,47 @@ std::vector<Vec2> at_corners(const Surface& s, const std::vector<Vec2>& carried,
   return corners;
 }
 
+/// Per face, what holds it: the squares of its edges at the boundary, times their weights.
+std::vector<Vec2> along_edges(const Surface& s) {
+  std::vector<Vec2> held(s.face_count());
+  for (const HalfEdge e : s.boundary()) {
+    const Vec2 edge = s.along(e);
+    // As between two faces, but from the middle of this one to the edge.
+    held[face_of(e)] = held[face_of(e)] + (2 / s.face_area(face_of(e))) * squared(edge);
+  }
+  return held;
+}
+
 }  // namespace
 
-LineField relaxed_field(const Surface& surface, CancelToken poll) {
+LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, CancelToken poll) {
   std::vector<Level> levels;
   const std::vector<Vec2> carried = carried_across(surface, poll);
   std::vector<Vec2> lines = first_lines(surface, poll);
+  for (Vec2& line : lines) line = turn * line;
+  std::vector<Vec2> held = along_boundary ? along_edges(surface) : std::vector<Vec2>(lines.size());
   Couplings<Vec2> edges = of_faces(surface, carried, poll);
   while (true) {
     Pairs<Vec2> pairs(edges, poll);
     if (pairs.count == edges.size()) break;
-    std::vector<Vec2> sums(pairs.count);
+    std::vector<Vec2> sums(pairs.count), holds(pairs.count);
     for (size_t i = 0; i < edges.size(); ++i) {
-      Vec2& sum = sums[pairs.of[i]];
+      Vec2 &sum = sums[pairs.of[i]], &hold = holds[pairs.of[i]];
       sum = sum + conj(pairs.carry[i]) * lines[i];
+      hold = hold + conj(pairs.carry[i]) * held[i];
     }
     lines = std::move(sums);
     Couplings<Vec2> coarse = pairs.joined(edges, poll);
-    levels.push_back({std::exchange(edges, std::move(coarse)), std::move(pairs)});
+    levels.push_back(
+        {std::exchange(edges, std::move(coarse)), std::move(pairs), std::exchange(held, std::move(holds))});
   }
   for (Vec2& line : lines) line = norm(line) > 0 ? unit(line) : Vec2{1, 0};
   for (size_t k = levels.size(); k-- > 0;) {
-    const auto& [rows, pairs] = levels[k];
+    const auto& [rows, pairs, holds] = levels[k];
     std::vector<Vec2> finer(rows.size());
     for (size_t i = 0; i < rows.size(); ++i) finer[i] = pairs.carry[i] * lines[pairs.of[i]];
     lines = std::move(finer);
-    relax(rows, k < kFineLevels ? kFineSweeps : kSweeps, lines, [](size_t) { return false; }, poll);
+    relax(rows, holds, k < kFineLevels ? kFineSweeps : kSweeps, lines, [](size_t) { return false; }, poll);
     // Means of lines that disagree are short, and those of such means would vanish.
     for (Vec2& line : lines) line = unit(line);
   }
@@ -199,7 +217,8 @@ LineField field_along_boundary(const Surface& surface, CancelToken poll) {
     held[face_of(e)] = 1;
   }
   for (Vec2& line : lines) line = unit(line);
-  relax(of_faces(surface, carried, poll), kSweeps, lines, [&](size_t f) { return held[f] != 0; }, poll);
+  const std::vector<Vec2> none(lines.size());
+  relax(of_faces(surface, carried, poll), none, kSweeps, lines, [&](size_t f) { return held[f] != 0; }, poll);
   std::vector<Vec2> squares;
   squares.reserve(3 * lines.size());
   for (const Vec2& line : lines) squares.insert(squares.end(), 3, line);

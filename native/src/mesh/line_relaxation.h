@@ -9,7 +9,7 @@
 namespace meander {
 
 /// A field close to the smoothest one, the least eigenvector of a connection Laplacian, which a factorization finds
-/// exactly but not in linear time. On a flat sheet it is parallel to the x-axis.
+/// exactly but not in linear time. Without `along_boundary`, it is parallel to the x-axis on a flat sheet.
 ///
 /// Faces have a line each. They are joined in pairs across the edges that hold most, and pairs again, until every
 /// component is a single one; a line of a pair is one line, carried across the edge. The coarsest field is the mean of
@@ -18,8 +18,11 @@ namespace meander {
 /// Field-Aligned Meshes" (2015), as aggregates of algebraic multigrid: the coarse Laplacians are Galerkin's. Lines are
 /// carried by unfolding faces about their edges, so that not an angle has to be computed.
 ///
-/// `poll`  is called for every face, on every level
-LineField relaxed_field(const Surface& surface, CancelToken poll);
+/// `turn`            a number of length 1, with half of whose angle the lines are turned at first: without a boundary
+///                   that holds them they stay turned, and are as smooth
+/// `along_boundary`  the boundary holds lines along itself, as much as another face would beyond it
+/// `poll`            is called for every face, on every level
+LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, CancelToken poll);
 
 /// Along the boundary in the faces beside it, and the mean of those in the faces between, as far as kSweeps faces away:
 /// for strips of a few faces across. No direction elsewhere. Every face has one line: between two legs of a zigzag that

@@ -37,11 +37,16 @@ constexpr double kLeastAlong = 1.9;
 /// 1.02 then, and .97 with as many lines as of a smooth field.
 constexpr double kFullAlong = 1.06;
 
+/// Lines of a phase are as far apart as is wanted nearly everywhere, so fewer do: where r is the same everywhere, as long
+/// as this together, along a smooth field and one that was asked for. Those along a smooth one go on until they are as
+/// near as the third, in r. See "Lines of a phase".
+constexpr double kFullOfPhase = 1.02, kFullOfPhaseAlong = 1, kLeastOfPhase = 2.2;
+
 /// Walls are known by places this far apart, in r.
 constexpr double kWallStep = 0.5;
 
-/// Strips narrower than this, in r, have room for one line along them.
-constexpr double kNarrow = 6.4;
+/// Lines follow strips that are narrower than the first, in r, and there are two of them from the second width on.
+constexpr double kNarrow = 6.4, kTwoAlong = 16.0 / 3;
 
 /// How far patches look, in r; see SurfacePatches.
 constexpr double kClamp = 3;
@@ -60,22 +65,29 @@ std::vector<uint8_t> without_field(const Surface& surface, const LineField& fiel
   return without;
 }
 
-/// The field and, on components without any, the smoothest one or, where they are narrow strips, one along these: the
-/// smoothest one of a flat ring is parallel, and its lines are short there. Turned by any angle, which is that of the
-/// variation, it is as smooth.
-LineField completed(const Surface& surface, const LineField& field, const RadiusField& radius, uint32_t variation,
-                    const CancelToken& ask) {
+/// How wide every component is that is a strip with room for a line or two along it, in r; 0 where it is none.
+std::vector<double> widths_of_strips(const Surface& surface, const RadiusField& radius) {
+  std::vector<double> widths;
+  for (const Strip& strip : strips_of(surface)) {
+    const double width = strip.width / radius.most();
+    widths.push_back(strip.is_long() && width < kNarrow ? width : 0);
+  }
+  return widths;
+}
+
+/// The field and, on components without any, the smoothest one that the boundary holds or, where they are narrow strips,
+/// one along these: that of a flat ring is parallel, and its lines are short there. Where no boundary holds it, it is as
+/// smooth turned by any angle, which is that of the variation. Lines of a density stay parallel: their distances say
+/// enough.
+LineField completed(const Surface& surface, const LineField& field, const RadiusField& radius,
+                    const std::vector<double>& widths, uint32_t variation, const CancelToken& ask) {
   const std::vector<uint8_t> without = without_field(surface, field);
   if (std::ranges::count(without, 1) == 0) return field;
-  LineField smooth = relaxed_field(surface, ask);
   const double angle = 2 * std::numbers::pi * share_of_variation(variation);
-  if (variation != 0) smooth.turn({elementary::cos(angle), elementary::sin(angle)});
-  const std::vector<Strip> strips = strips_of(surface);
-  const double narrow = kNarrow * radius.most();
-  const auto is_narrow = [&](const Strip& strip) { return strip.is_long() && strip.width < narrow; };
-  if (std::ranges::any_of(strips, is_narrow)) {
-    smooth.replace(field_along_boundary(surface, ask),
-                   [&](uint32_t f) { return is_narrow(strips[surface.component(f)]); });
+  const Vec2 turn = variation == 0 ? Vec2{1, 0} : Vec2{elementary::cos(angle), elementary::sin(angle)};
+  LineField smooth = relaxed_field(surface, turn, !radius.varies(), ask);
+  if (std::ranges::any_of(widths, [](double width) { return width > 0; })) {
+    smooth.replace(field_along_boundary(surface, ask), [&](uint32_t f) { return widths[surface.component(f)] > 0; });
   }
   if (field.empty()) return smooth;
   LineField both = field;
@@ -83,20 +95,25 @@ LineField completed(const Surface& surface, const LineField& field, const Radius
   return both;
 }
 
-/// Of lines that are as long together as they are to be. Even rows stay as far apart as they are laid, so as many lines
-/// as there is room for divide the width across them.
+/// Of lines that are as long together as they are to be. What is narrow has a whole number of lines, and so have even
+/// rows, which stay as far apart as they are laid: as many as there is room for divide the width across them.
 std::vector<StripeDistances> stripe_distances(const Surface& surface, const LineField& field, const RadiusField& radius,
-                                              const LineSpacing& spacing, double boundary_distance) {
-  std::vector<StripeDistances> distances(surface.component_count(),
-                                         {spacing.apart / spacing.full, 2 * boundary_distance + 1});
-  if (radius.varies()) return distances;
-  const std::vector<double> widths = widths_across(surface, field);
+                                              const std::vector<double>& widths_of_strips, const LineSpacing& spacing,
+                                              double boundary_distance, StartLines lines_of) {
   const double margin = 2 * boundary_distance - 1;
+  const auto at = [&](double apart) { return StripeDistances{apart, 0.5 * apart + margin}; };
+  std::vector<StripeDistances> distances(surface.component_count(), at(spacing.apart / spacing.full));
+  if (radius.varies()) return distances;
+  const bool counted = lines_of == StartLines::kCounted;
+  const std::vector<double> widths = counted ? widths_across(surface, field) : widths_of_strips;
   for (size_t k = 0; k < widths.size(); ++k) {
-    const double width = widths[k] / radius.most() - 2 * margin;
-    const bool known = widths[k] > 0;
-    const double apart = known ? width / std::max(std::round(width / spacing.apart), 1.0) : spacing.apart;
-    distances[k] = {apart, 0.5 * apart + margin};
+    const double width = counted ? widths[k] / radius.most() - 2 * margin : widths[k];
+    if (widths[k] > 0) {
+      const double lines = counted ? std::max(std::round(width / spacing.apart), 1.0) : width < kTwoAlong ? 1 : 2;
+      distances[k] = at(width / lines);
+    } else if (counted) {
+      distances[k] = at(spacing.apart);
+    }
   }
   return distances;
 }
@@ -213,7 +230,7 @@ std::vector<LineTree> trees_to_walk(const Curve& first, size_t drawn, const std:
 
 FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
                      const LineField& field, const SurfacePatches* patches, double boundary_distance,
-                     ThreadPool& pool, bool by_phase, uint32_t variation) {
+                     ThreadPool& pool, StartLines lines_of, uint32_t variation) {
   std::unique_ptr<const SurfacePatches> own;
   if (!patches) {
     own = std::make_unique<const SurfacePatches>(surface, radius, kClamp, pool);
@@ -232,14 +249,17 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   }
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
   const CancelToken poll = pool.poll(kPieces);
-  const LineField whole = completed(surface, field, radius, variation, poll);
+  const std::vector<double> widths = widths_of_strips(surface, radius);
+  const LineField whole = completed(surface, field, radius, widths, variation, poll);
   std::vector<std::vector<SurfacePoint>> first_lines;
-  if (by_phase) {
+  if (lines_of != StartLines::kStreamlines) {
+    const bool smooth = field.empty() && !radius.varies();
+    spacing.least = smooth ? kLeastOfPhase : kLeastAlong;
+    if (!radius.varies()) spacing.full = smooth ? kFullOfPhase : kFullOfPhaseAlong;
     const std::vector<StripeDistances> distances =
-        stripe_distances(surface, whole, radius, spacing, boundary_distance);
+        stripe_distances(surface, whole, radius, widths, spacing, boundary_distance, lines_of);
     const StripePhase phase(surface, whole, radius, distances, poll);
     first_lines = level_lines(surface, phase, radius, spacing.step, poll);
-    spacing.least = kLeastAlong;
   }
   const size_t before = lines.size();
   draw_streamlines(whole, radius, spacing, first_lines, variation, network, pool, poll, lines);

@@ -22,6 +22,13 @@ enum class StrandStart : uint8_t {
   kCrossings,  ///< grows as it was: nothing could be laid in its region without a crossing
 };
 
+/// What the lines are that a curve walks round.
+enum class StartLines : uint8_t {
+  kStreamlines,  ///< streamlines of the field, which begin beside what is there
+  kPhase,        ///< those of a StripePhase, and streamlines in what these leave
+  kCounted,      ///< those of a phase, so far apart that a whole number of them divides the width; see has_even_lines
+};
+
 /// A first curve that fills the surface.
 struct FullStart {
   Curve curve;                        ///< with as many strands as the first one, each in its place
@@ -33,8 +40,7 @@ struct FullStart {
 
 /// Replaces the loops of a first curve, one in each region of the surface, by curves that fill them: lines along a
 /// field lie four radii apart, short links join them to a tree, and the curve walks round it on both sides. The lines
-/// are streamlines, or those of a StripePhase where r varies by a density and where rows can be even. A strand that was
-/// drawn to grow is a trunk: it keeps its ends, its fixed nodes and its sides, and trees leave it on either one,
+/// are those of a StripePhase or streamlines. A strand that was drawn to grow is a trunk: it keeps its ends, its fixed nodes and its sides, and trees leave it on either one,
 /// wherever there is room beside it: one that fills its region stays as it is. Guides and the boundary are walls.
 ///
 /// What cannot be laid without a crossing is left out where it is: a link, a tip, a line, and a strand stays as it was
@@ -45,14 +51,12 @@ struct FullStart {
 /// `field`              where a component of the surface has none anywhere, a smooth one is taken
 /// `patches`            of this surface, about as large as r; null: they are found
 /// `boundary_distance`  of the last strand from the boundary, in local spacings
-/// `by_phase`           lines are those of a StripePhase first: they begin and end one by one where r varies because
-///                      that was asked for, and are equally far apart where those of the field are
-/// `variation`          which of the curves of the same settings: a smooth field is turned, lines begin elsewhere, and
-///                      they are joined otherwise
+/// `variation`          which of the curves of the same settings: a smooth field is turned where no boundary holds it,
+///                      lines begin elsewhere, and they are joined otherwise
 ///
 /// Throws Failure(FailureKind::kCancelled) where the watch of the pool says so.
 FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
                      const LineField& field, const SurfacePatches* patches, double boundary_distance,
-                     ThreadPool& pool, bool by_phase = false, uint32_t variation = 0);
+                     ThreadPool& pool, StartLines lines = StartLines::kPhase, uint32_t variation = 0);
 
 }  // namespace meander

@@ -40,6 +40,9 @@ constexpr double kStem = 8, kTwoLines = 16.0 / 3;
 /// The field runs along the boundary where one of the two ways across it ends within this, in r.
 constexpr double kOutside = 0.1;
 
+/// In what is narrower than this, in r, no line begins: no curve comes to rest on both sides of it.
+constexpr double kTooThin = 0.4;
+
 /// Nodes of one line are no more than this.
 constexpr size_t kMostNodes = 1u << 22;
 
@@ -247,7 +250,7 @@ class Drawer {
       LineNetwork::Node node = network_.make_node(points[k], static_cast<uint32_t>(lines_.size()), 0);
       ++k;
       poll_();
-      if (crowding_.ahead(node) > 0) continue;
+      if (is_too_thin(node) || crowding_.ahead(node) > 0) continue;
       Streamline drawn;
       drawn.nodes.push_back(network_.add_node(node));
       for (; k < points.size() && go_on(points[k], drawn.nodes); ++k) poll_();
@@ -316,10 +319,25 @@ class Drawer {
     }
   }
 
-  /// Whether a line through a place beside the boundary ends there before it is long enough. To know what is near to a
-  /// place takes much longer where thousands of teeth are, each far from all others along the surface.
+  /// Whether a line along the field has the boundary on both sides, and hardly anything between.
+  bool is_too_thin(const LineNetwork::Node& node) const {
+    if (!network_.beside_boundary(node.patch)) return false;
+    const Vec2 direction = unit(field_.at(node.point));
+    double left = kTooThin * node.radius;
+    for (const double side : {1.0, -1.0}) {
+      Path path;
+      const Trace across = trace_geodesic(s_, node.point, Vec2{0, side * left} * direction, path);
+      if (!across.hit_boundary) return false;
+      left -= across.length;
+    }
+    return true;
+  }
+
+  /// Whether a line through a place beside the boundary ends there before it is long enough, or has no room. To know
+  /// what is near to a place takes much longer where thousands of teeth are, each far from all others along the surface.
   bool ends_at_once(const LineNetwork::Node& first) {
     if (!network_.beside_boundary(first.patch)) return false;
+    if (is_too_thin(first)) return true;
     const auto along = steps_.from(first.point);
     const double least = shortest_ * spacing_.apart;
     double length = 0;
