@@ -120,7 +120,6 @@ def _plan_of(
     _refuse_missing(surface, active, scene)
     settings = settings_of(active)
     points.refuse(settings.points_as)
-    core.library_version()  # before anything is read, a missing library is reported
     vertices, faces = triangles_of(surface, depsgraph)
     spacing = as_typed(settings.spacing) or core.automatic_spacing(vertices, faces)
     choice = chosen_density(settings, surface)
@@ -181,6 +180,7 @@ def _refuse_missing(
         raise DataError(
             f"The surface '{surface.name}' is not in this scene any more; choose a mesh to fill"
         )
+    core.library_version()  # before anything is read, a missing library is reported
 
 
 def _seed_of(
