@@ -15,10 +15,13 @@
 namespace meander::test::start_lines_tests {
 namespace {
 
-constexpr double kRings = 12;  // the disc's radius in the caller's unit
+/// The radius of a shallow cone, in the caller's unit, by how much it rises to its tip from one unit to the next, and
+/// how much longer that makes a way outwards.
+constexpr double kRings = 12, kSlope = 0.5;
+const double kLonger = std::sqrt(1 + kSlope * kSlope);
 
-/// A flat disc, and the first curve of a full start on it.
-struct FullDisc {
+/// A cone, which has a boundary and no even lines, and the first curve of a full start on it.
+struct FullCone {
   std::shared_ptr<const Surface> surface;
   double rim, r;
   Curve curve;
@@ -26,8 +29,8 @@ struct FullDisc {
   Vec3 centre() const { return surface->position(0); }
 };
 
-FullDisc full_disc(double spacing) {
-  const auto surface = std::make_shared<const Surface>(make_surface(cone(96, static_cast<uint32_t>(kRings), 0)));
+FullCone full_cone(double spacing) {
+  const auto surface = std::make_shared<const Surface>(make_surface(cone(96, static_cast<uint32_t>(kRings), kSlope)));
   const Flow flow(surface, nullptr, {}, checked_settings(options_of(spacing), *surface));
   const double r = flow.settings().radius;
   ThreadPool pool(1);
@@ -38,14 +41,16 @@ FullDisc full_disc(double spacing) {
 TEST(StartLines, FollowTheBoundary) {
   for (const double spacing : {0.4, 0.55, 0.7}) {
     SCOPED_TRACE(spacing);
-    const FullDisc disc = full_disc(spacing);
+    const FullCone cone = full_cone(spacing);
     double all = 0, along = 0;
-    for (uint32_t i = 0; i < disc.curve.size(); ++i) {
-      const Vec3 a = position(*disc.surface, disc.curve.nodes[i]);
-      const Vec3 b = position(*disc.surface, disc.curve.nodes[disc.curve.next(i)]);
-      const Vec3 middle = 0.5 * (a + b) - disc.centre(), step = b - a;
-      if (disc.rim - middle.norm() > 3 * disc.r) continue;  // the outermost two rows
-      const double outwards = std::abs(step.dot(middle)) / (step.norm() * middle.norm());
+    for (uint32_t i = 0; i < cone.curve.size(); ++i) {
+      const Vec3 a = position(*cone.surface, cone.curve.nodes[i]);
+      const Vec3 b = position(*cone.surface, cone.curve.nodes[cone.curve.next(i)]);
+      Vec3 middle = 0.5 * (a + b) - cone.centre();
+      middle.z() = 0;
+      const Vec3 step = b - a;
+      if ((cone.rim - middle.norm()) * kLonger > 3 * cone.r) continue;  // the outermost two rows
+      const double outwards = kLonger * std::abs(step.dot(middle)) / (step.norm() * middle.norm());
       all += step.norm();
       if (outwards < std::sin(kPi / 12)) along += step.norm();
     }
@@ -54,16 +59,16 @@ TEST(StartLines, FollowTheBoundary) {
 }
 
 /// Where a line from the middle outwards crosses the curve, as shares of the rim's radius.
-std::vector<double> on_spoke(const FullDisc& disc, double angle) {
+std::vector<double> on_spoke(const FullCone& cone, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   std::vector<double> found;
-  for (uint32_t i = 0; i < disc.curve.size(); ++i) {
-    const Vec3 a = position(*disc.surface, disc.curve.nodes[i]) - disc.centre();
-    const Vec3 b = position(*disc.surface, disc.curve.nodes[disc.curve.next(i)]) - disc.centre();
+  for (uint32_t i = 0; i < cone.curve.size(); ++i) {
+    const Vec3 a = position(*cone.surface, cone.curve.nodes[i]) - cone.centre();
+    const Vec3 b = position(*cone.surface, cone.curve.nodes[cone.curve.next(i)]) - cone.centre();
     const double from = c * a.y() - s * a.x(), to = c * b.y() - s * b.x();
     if ((from < 0) == (to < 0)) continue;
     const Vec3 p = a + from / (from - to) * (b - a);
-    if (c * p.x() + s * p.y() > 0) found.push_back((c * p.x() + s * p.y()) / disc.rim);
+    if (c * p.x() + s * p.y() > 0) found.push_back((c * p.x() + s * p.y()) / cone.rim);
   }
   std::ranges::sort(found);
   return found;
@@ -72,14 +77,14 @@ std::vector<double> on_spoke(const FullDisc& disc, double angle) {
 /// The curve runs on both sides of every line, so its every second strand is on the same side of the next line. In the
 /// middle lines turn. Of streamlines, two fifths of the gaps are within a tenth of what they should be.
 TEST(StartLines, AreAtTheirDistance) {
-  const FullDisc disc = full_disc(0.4);
+  const FullCone cone = full_cone(0.4);
   size_t gaps = 0, right = 0;
   for (int k = 0; k < 64; ++k) {
-    const std::vector<double> strands = on_spoke(disc, (k + 0.37) * kPi / 32);
+    const std::vector<double> strands = on_spoke(cone, (k + 0.37) * kPi / 32);
     for (size_t i = 0; i + 2 < strands.size(); ++i) {
       if (strands[i] < 0.4) continue;
       ++gaps;
-      right += std::abs((strands[i + 2] - strands[i]) * disc.rim / (4 * disc.r) - 1) < 0.1;
+      right += std::abs((strands[i + 2] - strands[i]) * kLonger * cone.rim / (4 * cone.r) - 1) < 0.1;
     }
   }
   ASSERT_GT(gaps, 64u * 10u);

@@ -49,10 +49,8 @@ void Iteration::lay(size_t drawn) {
 /// narrow, where there is one along the middle.
 StartLines Iteration::lines_to_lay() const {
   const Domain& domain = given_.domain;
-  if (domain.asked_radius.varies()) return StartLines::kPhase;
-  if (domain.narrow) return StartLines::kStreamlines;
-  if (domain.even_rows) return StartLines::kCounted;
-  return plan_.phase == Phase::kStarting ? StartLines::kPhase : StartLines::kStreamlines;
+  const bool whole = plan_.phase == Phase::kStarting || domain.even_rows;
+  return domain.asked_radius.varies() || (whole && !domain.narrow) ? StartLines::kPhase : StartLines::kStreamlines;
 }
 
 void Iteration::lay_in_empty(size_t trunks) {
@@ -60,7 +58,7 @@ void Iteration::lay_in_empty(size_t trunks) {
   const Curve first = with_short_segments();
   FullStart laid = full_start(*domain.surface, first, trunks, domain.radius, domain.directions,
                               domain.patches.get(), given_.settings.boundary_distance, pool_, lines_to_lay(),
-                              given_.settings.variation);
+                              given_.settings.variation, domain.rest);
   figures_.laid = laid.laid_any();
   report_ = given_.start;
   if (plan_.phase == Phase::kStarting) {

@@ -63,17 +63,25 @@ Placed beyond(const Surface& surface, const LineField& field, Vec2 line, HalfEdg
 
 }  // namespace
 
-bool has_even_lines(const Surface& surface, const LineField& field) {
-  if (field.empty()) return false;
-  double flow = 0;
+std::vector<uint8_t> with_even_lines(const Surface& surface, const LineField& field) {
+  std::vector<uint8_t> even(surface.component_count(), 0);
+  if (field.empty()) return even;
+  std::vector<double> flow(even.size(), 0), area(even.size(), 0);
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
-    flow += std::abs(spreading_in(surface, field, f));
+    const uint32_t component = surface.component(f);
+    area[component] += surface.face_area(f);
+    flow[component] += std::abs(spreading_in(surface, field, f));
     for (HalfEdge e = 3 * f; e < 3 * f + 3; ++e) {
       const HalfEdge twin = surface.twin(e);
-      if (twin != kNone && e < twin) flow += std::abs(spreading_at(surface, field, e));
+      if (twin != kNone && e < twin) flow[component] += std::abs(spreading_at(surface, field, e));
     }
   }
-  return flow < kMostSpreading * std::sqrt(surface.area());
+  for (size_t k = 0; k < even.size(); ++k) even[k] = flow[k] < kMostSpreading * std::sqrt(area[k]);
+  return even;
+}
+
+bool has_even_lines(const Surface& surface, const LineField& field) {
+  return !field.empty() && std::ranges::count(with_even_lines(surface, field), 0) == 0;
 }
 
 std::vector<double> widths_across(const Surface& surface, const LineField& field) {

@@ -37,15 +37,15 @@ constexpr double kLeastAlong = 1.9;
 /// 1.02 then, and .97 with as many lines as of a smooth field.
 constexpr double kFullAlong = 1.06;
 
-/// Lines of a phase are as far apart as is wanted nearly everywhere, so fewer do: where r is the same everywhere, as long
-/// as this together, along a smooth field and one that was asked for. Those along a smooth one go on until they are as
-/// near as the third, in r. See "Lines of a phase".
+/// Lines of a phase are as far apart as is wanted nearly everywhere, so fewer do: where r is the same everywhere, as
+/// long as this together, along a smooth field and one that was asked for. Those along a smooth one go on until they
+/// are as near as the third, in r. See "Lines of a phase".
 constexpr double kFullOfPhase = 1.02, kFullOfPhaseAlong = 1, kLeastOfPhase = 2.2;
 
 /// Walls are known by places this far apart, in r.
 constexpr double kWallStep = 0.5;
 
-/// Lines follow strips that are narrower than the first, in r, and there are two of them from the second width on.
+/// Lines follow strips and stems that are narrower than the first, in r; there are two from the second width on.
 constexpr double kNarrow = 6.4, kTwoAlong = 16.0 / 3;
 
 /// How far patches look, in r; see SurfacePatches.
@@ -65,6 +65,12 @@ std::vector<uint8_t> without_field(const Surface& surface, const LineField& fiel
   return without;
 }
 
+/// The field of a full start.
+struct StartField {
+  LineField lines;
+  std::vector<double> widths;  // per component: across lines that divide it evenly, in r; 0: lines lie as they may
+};
+
 /// How wide every component is that is a strip with room for a line or two along it, in r; 0 where it is none.
 std::vector<double> widths_of_strips(const Surface& surface, const RadiusField& radius) {
   std::vector<double> widths;
@@ -75,44 +81,78 @@ std::vector<double> widths_of_strips(const Surface& surface, const RadiusField& 
   return widths;
 }
 
-/// The field and, on components without any, the smoothest one that the boundary holds or, where they are narrow strips,
-/// one along these: that of a flat ring is parallel, and its lines are short there. Where no boundary holds it, it is as
-/// smooth turned by any angle, which is that of the variation. Lines of a density stay parallel: their distances say
-/// enough.
-LineField completed(const Surface& surface, const LineField& field, const RadiusField& radius,
-                    const std::vector<double>& widths, uint32_t variation, const CancelToken& ask) {
-  const std::vector<uint8_t> without = without_field(surface, field);
-  if (std::ranges::count(without, 1) == 0) return field;
-  const double angle = 2 * std::numbers::pi * share_of_variation(variation);
-  const Vec2 turn = variation == 0 ? Vec2{1, 0} : Vec2{elementary::cos(angle), elementary::sin(angle)};
-  LineField smooth = relaxed_field(surface, turn, !radius.varies(), ask);
-  if (std::ranges::any_of(widths, [](double width) { return width > 0; })) {
-    smooth.replace(field_along_boundary(surface, ask), [&](uint32_t f) { return widths[surface.component(f)] > 0; });
-  }
-  if (field.empty()) return smooth;
-  LineField both = field;
-  both.replace(smooth, [&](uint32_t f) { return without[surface.component(f)] != 0; });
-  return both;
+/// Which components keep the smoothest field as it is, though they have a boundary: rows are straight on a flat sheet,
+/// but for one of stems, as a letter. Its mean width is twice its area over its boundary.
+std::vector<uint8_t> straight_sheets(const Surface& surface, const LineField& smooth, double radius) {
+  std::vector<double> area(surface.component_count(), 0), boundary(area.size(), 0);
+  for (uint32_t f = 0; f < surface.face_count(); ++f) area[surface.component(f)] += surface.face_area(f);
+  for (const HalfEdge e : surface.boundary()) boundary[surface.component(face_of(e))] += norm(surface.along(e));
+  std::vector<uint8_t> straight = with_even_lines(surface, smooth);
+  for (size_t k = 0; k < area.size(); ++k) straight[k] &= 2 * area[k] > kNarrow * radius * boundary[k];
+  return straight;
 }
 
-/// Of lines that are as long together as they are to be. What is narrow has a whole number of lines, and so have even
-/// rows, which stay as far apart as they are laid: as many as there is room for divide the width across them.
-std::vector<StripeDistances> stripe_distances(const Surface& surface, const LineField& field, const RadiusField& radius,
-                                              const std::vector<double>& widths_of_strips, const LineSpacing& spacing,
-                                              double boundary_distance, StartLines lines_of) {
+/// The smoothest field, which the boundary holds but for straight sheets. Where none holds it, it is as smooth turned
+/// by any angle, which is that of the variation. In strips lines lie along these: the smoothest field of a flat ring is
+/// parallel, and its lines are short there. Lines of a density stay parallel: their distances say enough.
+StartField smooth_field(const Surface& surface, const RadiusField& radius, uint32_t variation,
+                        const CancelToken& ask) {
+  const double angle = 2 * std::numbers::pi * share_of_variation(variation);
+  const Vec2 turn = variation == 0 ? Vec2{1, 0} : Vec2{elementary::cos(angle), elementary::sin(angle)};
+  StartField smooth{relaxed_field(surface, turn, false, ask), widths_of_strips(surface, radius)};
+  const std::vector<double>& narrow = smooth.widths;
+  if (!surface.boundary().empty() && !radius.varies()) {
+    const std::vector<uint8_t> straight = straight_sheets(surface, smooth.lines, radius.most());
+    if (std::ranges::count(straight, 0) > 0) {
+      smooth.lines.replace(relaxed_field(surface, turn, true, ask),
+                           [&](uint32_t f) { return !straight[surface.component(f)]; });
+    }
+  }
+  if (std::ranges::any_of(narrow, [](double width) { return width > 0; })) {
+    smooth.lines.replace(field_along_boundary(surface, ask),
+                         [&](uint32_t f) { return narrow[surface.component(f)] > 0; });
+  }
+  return smooth;
+}
+
+/// The field and, on components without any, the smoothest one.
+StartField completed(const Surface& surface, const LineField& field, const RadiusField& radius, uint32_t variation,
+                     const CancelToken& ask) {
+  const std::vector<uint8_t> without = without_field(surface, field);
+  if (std::ranges::count(without, 1) == 0) return {field, std::vector<double>(without.size(), 0)};
+  StartField smooth = smooth_field(surface, radius, variation, ask);
+  if (field.empty()) return smooth;
+  LineField both = field;
+  both.replace(smooth.lines, [&](uint32_t f) { return without[surface.component(f)] != 0; });
+  for (size_t k = 0; k < without.size(); ++k) smooth.widths[k] *= without[k];
+  return {std::move(both), std::move(smooth.widths)};
+}
+
+/// Of two whole numbers that are as near the lower one, as where an odd number of strands would fit: a closed line has
+/// an even one, and strands that are too far apart look better than ones that are too near.
+double nearest_count(double lines) {
+  constexpr double kRounding = 1e-6;
+  return std::max(std::ceil(lines * (1 - kRounding) - 0.5), 1.0);
+}
+
+/// Of lines that are as long together as they are to be. Where lines are even a whole number of them divides the width,
+/// by how far apart strands are to come: even rows stay as far apart as they are laid.
+std::vector<StripeDistances> stripe_distances(const Surface& surface, const StartField& field,
+                                              const RadiusField& radius, const LineSpacing& spacing,
+                                              double boundary_distance, double rest) {
   const double margin = 2 * boundary_distance - 1;
   const auto at = [&](double apart) { return StripeDistances{apart, 0.5 * apart + margin}; };
   std::vector<StripeDistances> distances(surface.component_count(), at(spacing.apart / spacing.full));
   if (radius.varies()) return distances;
-  const bool counted = lines_of == StartLines::kCounted;
-  const std::vector<double> widths = counted ? widths_across(surface, field) : widths_of_strips;
-  for (size_t k = 0; k < widths.size(); ++k) {
-    const double width = counted ? widths[k] / radius.most() - 2 * margin : widths[k];
-    if (widths[k] > 0) {
-      const double lines = counted ? std::max(std::round(width / spacing.apart), 1.0) : width < kTwoAlong ? 1 : 2;
-      distances[k] = at(width / lines);
-    } else if (counted) {
-      distances[k] = at(spacing.apart);
+  const std::vector<uint8_t> even = with_even_lines(surface, field.lines);
+  const std::vector<double> across =
+      std::ranges::count(even, 1) > 0 ? widths_across(surface, field.lines) : std::vector<double>(even.size(), 0);
+  for (size_t k = 0; k < even.size(); ++k) {
+    if (even[k] && across[k] > 0) {
+      const double width = across[k] / radius.most() - 2 * margin;
+      distances[k] = at(width / nearest_count(width / (rest * spacing.apart)));
+    } else if (field.widths[k] > 0) {
+      distances[k] = at(field.widths[k] / (field.widths[k] < kTwoAlong ? 1 : 2));
     }
   }
   return distances;
@@ -230,7 +270,7 @@ std::vector<LineTree> trees_to_walk(const Curve& first, size_t drawn, const std:
 
 FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
                      const LineField& field, const SurfacePatches* patches, double boundary_distance,
-                     ThreadPool& pool, StartLines lines_of, uint32_t variation) {
+                     ThreadPool& pool, StartLines lines_of, uint32_t variation, double rest) {
   std::unique_ptr<const SurfacePatches> own;
   if (!patches) {
     own = std::make_unique<const SurfacePatches>(surface, radius, kClamp, pool);
@@ -249,21 +289,20 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   }
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
   const CancelToken poll = pool.poll(kPieces);
-  const std::vector<double> widths = widths_of_strips(surface, radius);
-  const LineField whole = completed(surface, field, radius, widths, variation, poll);
+  const StartField whole = completed(surface, field, radius, variation, poll);
   std::vector<std::vector<SurfacePoint>> first_lines;
   if (lines_of != StartLines::kStreamlines) {
     const bool smooth = field.empty() && !radius.varies();
     spacing.least = smooth ? kLeastOfPhase : kLeastAlong;
     if (!radius.varies()) spacing.full = smooth ? kFullOfPhase : kFullOfPhaseAlong;
     const std::vector<StripeDistances> distances =
-        stripe_distances(surface, whole, radius, widths, spacing, boundary_distance, lines_of);
-    const StripePhase phase(surface, whole, radius, distances, poll);
-    first_lines = level_lines(surface, phase, radius, spacing.step, poll);
+        stripe_distances(surface, whole, radius, spacing, boundary_distance, rest);
+    const StripePhase phase(surface, whole.lines, radius, distances, poll);
+    first_lines = level_lines(surface, phase, radius, spacing.step, variation, poll);
   }
   const size_t before = lines.size();
-  draw_streamlines(whole, radius, spacing, first_lines, variation, network, pool, poll, lines);
-  trunks.prolong(whole, before, network, lines, poll);
+  draw_streamlines(whole.lines, radius, spacing, first_lines, variation, network, pool, poll, lines);
+  trunks.prolong(whole.lines, before, network, lines, poll);
 
   FullStart start;
   start.strands.assign(first.strands.size(), StrandStart::kNoRoom);

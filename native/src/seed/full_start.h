@@ -26,7 +26,6 @@ enum class StrandStart : uint8_t {
 enum class StartLines : uint8_t {
   kStreamlines,  ///< streamlines of the field, which begin beside what is there
   kPhase,        ///< those of a StripePhase, and streamlines in what these leave
-  kCounted,      ///< those of a phase, so far apart that a whole number of them divides the width; see has_even_lines
 };
 
 /// A first curve that fills the surface.
@@ -40,8 +39,9 @@ struct FullStart {
 
 /// Replaces the loops of a first curve, one in each region of the surface, by curves that fill them: lines along a
 /// field lie four radii apart, short links join them to a tree, and the curve walks round it on both sides. The lines
-/// are those of a StripePhase or streamlines. A strand that was drawn to grow is a trunk: it keeps its ends, its fixed nodes and its sides, and trees leave it on either one,
-/// wherever there is room beside it: one that fills its region stays as it is. Guides and the boundary are walls.
+/// are those of a StripePhase or streamlines. A strand that was drawn to grow is a trunk: it keeps its ends, its fixed
+/// nodes and its sides, and trees leave it on either one, wherever there is room beside it: one that fills its region
+/// stays as it is. Guides and the boundary are walls.
 ///
 /// What cannot be laid without a crossing is left out where it is: a link, a tip, a line, and a strand stays as it was
 /// only where nothing else can be laid.
@@ -53,10 +53,11 @@ struct FullStart {
 /// `boundary_distance`  of the last strand from the boundary, in local spacings
 /// `variation`          which of the curves of the same settings: a smooth field is turned where no boundary holds it,
 ///                      lines begin elsewhere, and they are joined otherwise
+/// `rest`               how far apart strands are to come, in r, for even rows, which stay where they are laid
 ///
 /// Throws Failure(FailureKind::kCancelled) where the watch of the pool says so.
 FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
                      const LineField& field, const SurfacePatches* patches, double boundary_distance,
-                     ThreadPool& pool, StartLines lines = StartLines::kPhase, uint32_t variation = 0);
+                     ThreadPool& pool, StartLines lines = StartLines::kPhase, uint32_t variation = 0, double rest = 1);
 
 }  // namespace meander

@@ -6,6 +6,8 @@
 #include <ranges>
 #include <utility>
 
+#include "base/variation.h"
+
 namespace meander {
 namespace {
 
@@ -21,7 +23,7 @@ class LineFollower {
       : s_(surface), phase_(phase), mesh_(phase.mesh()), radius_(radius), poll_(poll),
         passed_(mesh_.half_edge_count() / 2, 0) {}
 
-  std::vector<std::vector<SurfacePoint>> all(double step) {
+  std::vector<std::vector<SurfacePoint>> all(double step, double begins_at) {
     struct Line {
       double radius;  // mean
       std::vector<SurfacePoint> points;
@@ -32,10 +34,15 @@ class LineFollower {
       if (!crossed(h) || passed_[h / 2]) continue;
       passed_[h / 2] = 1;
       std::vector<Straight> line;
-      follow(RefinedSurface::opposite(h), line);
+      const bool closed = follow(RefinedSurface::opposite(h), line);
       std::ranges::reverse(line);
       for (Straight& part : line) std::swap(part.from, part.to);
-      follow(h, line);
+      if (closed && begins_at > 0) {
+        const auto first = static_cast<std::ptrdiff_t>(begins_at * static_cast<double>(line.size()));
+        std::ranges::rotate(line, line.begin() + first);
+      } else {
+        follow(h, line);
+      }
       double length = 0, in_radii = 0;
       for (const Straight& part : line) {
         length += length_of(part);
@@ -57,17 +64,17 @@ class LineFollower {
     return mesh_.at_share(h, h % 2 == 0 ? share : 1 - share);
   }
 
-  /// On from an edge, through the face of this half-edge.
-  void follow(HalfEdge h, std::vector<Straight>& line) {
+  /// On from an edge, through the face of this half-edge; whether the line comes back to where it began.
+  bool follow(HalfEdge h, std::vector<Straight>& line) {
     for (;;) {
       poll_();
       const uint32_t f = mesh_.face(h);
-      if (f == kNone || !phase_.directed(f)) return;
+      if (f == kNone || !phase_.directed(f)) return false;
       const HalfEdge one = mesh_.next(h), other = mesh_.prev(h);
-      if (crossed(one) == crossed(other)) return;
+      if (crossed(one) == crossed(other)) return false;
       const HalfEdge exit = crossed(one) ? one : other;
       line.push_back({mesh_.origin(f), at(h), at(exit)});
-      if (passed_[exit / 2]) return;
+      if (passed_[exit / 2]) return true;
       passed_[exit / 2] = 1;
       h = RefinedSurface::opposite(exit);
     }
@@ -106,8 +113,9 @@ class LineFollower {
 }  // namespace
 
 std::vector<std::vector<SurfacePoint>> level_lines(const Surface& surface, const StripePhase& phase,
-                                                   const RadiusField& radius, double step, CancelToken poll) {
-  return LineFollower(surface, phase, radius, poll).all(step);
+                                                   const RadiusField& radius, double step, uint32_t variation,
+                                                   CancelToken poll) {
+  return LineFollower(surface, phase, radius, poll).all(step, share_of_variation(variation));
 }
 
 }  // namespace meander

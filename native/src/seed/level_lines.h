@@ -3,6 +3,7 @@
 // The lines of a phase, as points that are evenly spaced along them.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "mesh/surface_point.h"
@@ -14,8 +15,10 @@ namespace meander {
 /// first of two lines, and are as long as that is wide. A line begins and ends at the boundary,
 /// in singular faces and where the field has no direction; a closed one begins anywhere.
 ///
-/// `step`  between two points, in local radii
+/// `step`       between two points, in local radii
+/// `variation`  where closed ones begin
 std::vector<std::vector<SurfacePoint>> level_lines(const Surface& surface, const StripePhase& phase,
-                                                   const RadiusField& radius, double step, CancelToken poll);
+                                                   const RadiusField& radius, double step, uint32_t variation,
+                                                   CancelToken poll);
 
 }  // namespace meander

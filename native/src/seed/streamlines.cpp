@@ -334,7 +334,8 @@ class Drawer {
   }
 
   /// Whether a line through a place beside the boundary ends there before it is long enough, or has no room. To know
-  /// what is near to a place takes much longer where thousands of teeth are, each far from all others along the surface.
+  /// what is near to a place takes much longer where thousands of teeth are, each far from all others along the
+  /// surface.
   bool ends_at_once(const LineNetwork::Node& first) {
     if (!network_.beside_boundary(first.patch)) return false;
     if (is_too_thin(first)) return true;
