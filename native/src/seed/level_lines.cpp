@@ -39,7 +39,7 @@ class LineFollower {
       for (Straight& part : line) std::swap(part.from, part.to);
       if (closed && begins_at > 0) {
         const auto first = static_cast<std::ptrdiff_t>(begins_at * static_cast<double>(line.size()));
-        std::ranges::rotate(line, line.begin() + first);
+        std::rotate(line.begin(), line.begin() + first, line.end());
       } else {
         follow(h, line);
       }
