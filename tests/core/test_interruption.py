@@ -97,7 +97,7 @@ CALLS = {
     "wait": "flow.start(); flow.wait()",
     "wait with a context": "flow.start(shared); flow.wait()",
     "wait with a closed context": "c = core.Context(); flow.start(c); c.close(); flow.wait()",
-    "surface": "core.Surface(mesh.vertices, mesh.faces)",
+    "surface": "core.Surface(large.vertices, large.faces)",
     "flow": "core.Flow(surface, options)",
     "gaps": "long.gaps()",
     "cut": "core.cut_surface(long, 0.003, True)",
@@ -106,7 +106,7 @@ CALLS = {
     "smooth directions": "surface.directions('smooth')",
     "strokes": "surface.extended_directions([[0.1, 0.1, 0], [0.9, 0.2, 0]], [0, 2])",
     "closest": "surface.find_closest(np.random.default_rng(1).random((300000, 3)))",
-    "faults": "core.find_faults(mesh.vertices, mesh.faces, 1e-4)",
+    "faults": "core.find_faults(large.vertices, large.faces, 1e-4)",
 }
 
 # What makes several calls, and may hear it between two of them.
@@ -142,7 +142,7 @@ def watched(work, cancel):
 
 for module in (files, flows, calls):
     module.heard = watched
-mesh = geometry.grid(200)
+mesh, large = geometry.grid(200), geometry.grid(450)
 options = core.default_options("even")
 options.radius = 0.01
 options.start = core.Start.FULL
