@@ -16,7 +16,7 @@ from meander.model.mirror_whole import whole_of
 from meander.model.opening import open_flow
 from meander.model.problem import Problem, begin_along_directions
 from sentences import assert_sentence
-from test_mirror import Filled, bumpy, command, on_sheet, sheet
+from test_mirror import Filled, assert_nothing_is_left_empty, bumpy, command, on_sheet, sheet
 
 # Farther from the plane than this, in spacings, nothing differs from the image of the other half.
 ALIKE = 7.0
@@ -118,11 +118,7 @@ def test_the_halves_differ_only_beside_the_plane(run: Filled) -> None:
 
 
 def test_nothing_is_left_empty(run: Filled) -> None:
-    samples = geometry.samples_of(*run.curve[:1], *run.curve[2:], run.spacing / 20)
-    places = geometry.sample_surface(run.mesh, 3000)
-    far = geometry.distance_to_samples(places, samples) / (run.spacing / 2)
-    assert far.max() < 2.0
-    assert np.mean(far > 1.3) < 0.02
+    assert_nothing_is_left_empty(run)
 
 
 def test_the_same_bytes_for_any_number_of_threads() -> None:
