@@ -305,7 +305,8 @@ def test_directions_on_a_mesh_file(run, square: Path, tmp_path: Path) -> None:
     """Along x most of the length lies along x, and across it along y."""
     shares = []
     for extra in ((), ("--across",)):
-        code, _out, err = run(square, *GOOD, "--alignment", "2", "--direction", "x", *extra)
+        given = ("--spacing", "0.18", "--alignment", "2", "--direction", "x", *extra)
+        code, _out, err = run(square, *given)
         assert code == 0, err
         curve = obj.read_obj_curve(tmp_path / "out.obj")
         pieces = np.abs(np.diff(curve.points, axis=0))

@@ -59,7 +59,8 @@ def least_radius(curve: Path) -> float:
     return least
 
 
-def test_the_radius_holds(sheet: Path, capsys) -> None:
+def test_the_radius_holds(tmp_path: Path, capsys) -> None:
+    sheet = geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(16))
     assert run(sheet, "--quiet") == 0
     before = least_radius(sheet.with_name("a.obj"))
     asked = 0.43 * SPACING / 2

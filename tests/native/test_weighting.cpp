@@ -379,6 +379,29 @@ TEST(Weighting, HairpinsAreRemovedFirstAndThenKeptRound) {
   EXPECT_GT(between, 0u);
 }
 
+/// A kink in a straight strand: over 1.2 r it hardly bends, over 1.5 segments it does, and only short ones tell. Where
+/// strands are to be farther apart than usual, tips are as they were.
+TEST(Weighting, TipsThatTurnWithinASegmentAreStiffOnceSegmentsAreShort) {
+  for (const double turn : {0.35, 0.6, 0.95}) {  // times 1 / .75: .47, .8 and 1.27 of 1 / r
+    Scene s;
+    std::vector<Vec2> points;
+    for (int k = -8; k <= 0; ++k) points.push_back({0.5 * k, 0});
+    for (int k = 1; k <= 8; ++k) points.push_back({0.5 * k * std::cos(turn), 0.5 * k * std::sin(turn)});
+    s.add_strand(points, false);
+    s.settings.polish = true;
+    for (const double rest : {kUsualRest, 1.0}) {
+      s.settings.polish_rest = rest;
+      for (const Phase phase : {Phase::kHairpinRemoval, Phase::kPolishing, Phase::kFinishing, Phase::kCooling}) {
+        const Weights w = s.weights(phase);
+        const bool stiff = turn > 0.9 && phase > Phase::kPolishing && rest == kUsualRest;
+        for (uint32_t i = 0; i < s.curve.size(); ++i) {
+          EXPECT_NEAR(w.bending[i], i == 8 && stiff ? 1.2 * 3.5 : 1.2, kRounding) << i;
+        }
+      }
+    }
+  }
+}
+
 /// No strand comes from beyond the boundary to fill the void between two hairpins that end there, so they may be blunt.
 /// A clamp that is as small is no boundary.
 TEST(Weighting, HairpinsBesideTheBoundaryMayBeBlunt) {

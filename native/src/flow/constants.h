@@ -46,7 +46,7 @@ inline constexpr uint32_t kPolishIterations = 22, kLongPolishIterations = 140;
 /// The same of a curve that fills the surface from its start. Coverage p99 of bunny, hand_closed and stuffedtoy is
 /// 1.03, 1.02 and 1.03 after 22, .02 less after 57, and .04 less after 140 (these two with the preset `finest`;
 /// docs/decisions.md, "Full start of finest").
-inline constexpr uint32_t kFullPolishIterations = 30, kLongFullPolishIterations = 60;
+inline constexpr uint32_t kFullPolishIterations = 26, kLongFullPolishIterations = 60;
 
 /// The polish measures balls after this many iterations, >= 0. 16 instead of 10 is within noise. docs/decisions.md,
 /// "What growth sees".
@@ -117,9 +117,10 @@ inline constexpr double kUsualBending = 1.2, kLooserWhereStiff = 1.0 / 9, kMostS
 /// From kUnmeasuredPolish on r follows what strands come to. Where they are off the spacing by more than kCloseEnough
 /// in the median, > 0, r makes up for kCorrecting of the rest in each iteration, from 0 to 1, and for no more than
 /// kMostCorrection in all, from 0 to below 1. With long segments the median is kCoarseSpacing of what it is with short
-/// ones, > 0: 1.018 to 1.031 on five models. docs/decisions.md, "The spacing that is asked for".
+/// ones, > 0: 1.018 to 1.031 on five models. Where tips are to get round it is to be kBeforeRoundTips of that, > 0, as
+/// they push strands apart. docs/decisions.md, "The spacing that is asked for".
 inline constexpr double kCorrecting = 0.2, kCloseEnough = 0.008, kMostCorrection = 0.05;
-inline constexpr double kCoarseSpacing = 1.02;
+inline constexpr double kCoarseSpacing = 1.02, kBeforeRoundTips = 0.99;
 
 /// Its length weights stay between these, the first of them < 0 and the second > 0. Not measured; the offset and the
 /// gain are tunings.
@@ -131,6 +132,10 @@ inline constexpr double kLeastPolishLength = -1, kMostPolishLength = 3;
 /// strands yield into the voids before hairpins. docs/decisions.md, "Round hairpins".
 inline constexpr double kCurvatureSmoothing = 1.2, kRoundHairpin = 0.9, kTightHairpin = 1.2;
 inline constexpr double kHairpinStiffening = 2.5;
+
+/// Once segments are short, the same as a mean over the first in segments, > 1, to both sides: from the second over r
+/// on, which is above 1, up to the third, which is larger. docs/decisions.md, "Round hairpins".
+inline constexpr double kTipSmoothing = 1.5, kRoundTip = 1.05, kTightTip = 1.25;
 
 /// After a gentle removal of hairpins, bending weighs kBoundaryBending times as much, from 0 to 1, beside the boundary,
 /// where a ball is left less than kBesideBoundary r, > 1. After a rough one some tips would come too near to the

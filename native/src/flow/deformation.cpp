@@ -62,6 +62,7 @@ void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map, co
   const double factor = this->surface().scale() / surface->scale();
   FlowState next = carried_to(std::move(surface), state_, pool);
   next.domain.set_radius(approach_.factor(), next.curve, next.settings);
+  next.domain.was_moved = true;
   MoveSeconds seconds = record_.seconds.move;
   work_.retraction.straighten(*next.domain.surface, next.curve, work_.spare.curve, pool, seconds);
 

@@ -80,6 +80,7 @@ struct Domain {
   RadiusField wanted_radius;  ///< r as it is to be in the end, but for the correction,
   RadiusField radius;         ///< and as it is, also while the curve approaches its spacing, or has no room for that:
   std::optional<RadiusField> whole_radius;  ///< then what it would be with room, else nothing
+  bool was_moved = false;     ///< with the curve on it
   bool narrow = false;        ///< part of the surface is a narrow strip, see leave_room
   Roughness roughness;
   double expected_length;     ///< of a curve that fills the surface: area over spacing

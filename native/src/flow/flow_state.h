@@ -31,6 +31,12 @@ struct FlowState : CurveState {
   FlowSettings settings;
   Domain domain;
   StartReport start = {};
+
+  /// Whether tips of hairpins are bent more once segments are short. They push strands apart, which nothing makes up
+  /// for in narrow parts, on what has moved, and where strands are to be nearer or farther apart than usual.
+  bool rounds_tips() const {
+    return settings.polish && settings.polish_rest == kUsualRest && !domain.narrow && !domain.was_moved;
+  }
 };
 
 /// Finds the shapes of all segments again on a surface with the same faces whose vertices are elsewhere. Paths are as

@@ -42,7 +42,8 @@ double next_correction(const IterationPlan& plan, const FlowState& before, const
   const double found = median_spacing(before.curve, radii, before.metric) / domain.rest * now;
   if (!(found > 0)) return now;
   const bool coarse = plan.segment_length > before.settings.segment_length;
-  const double usual = before.settings.usual_spacing(!domain.directions.empty()) * (coarse ? kCoarseSpacing : 1);
+  const double wanted = (coarse ? kCoarseSpacing : 1) * (before.rounds_tips() ? kBeforeRoundTips : 1);
+  const double usual = before.settings.usual_spacing(!domain.directions.empty()) * wanted;
   const double off = found / usual - 1;
   const double too_far = off - std::clamp(off, -kCloseEnough, kCloseEnough);
   const double next = now * (1 - kCorrecting * too_far);
