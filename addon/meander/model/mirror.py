@@ -224,8 +224,10 @@ def _fit(surface: core.Surface, given: Problem, context: core.Context | None) ->
 
 
 def at_rest(options: core.FlowOptions) -> core.FlowOptions:
-    """Options of a flow that only holds a curve."""
-    return replace(options, start=core.Start.GROW, start_spacing_factor=1.0)
+    """Options of a flow that only holds a curve, with the segments it has at rest: with the long
+    ones of growth, nodes of tips would go."""
+    tunings = {**options.tunings, "growth_coarsening": 1.0}
+    return replace(options, start=core.Start.GROW, start_spacing_factor=1.0, tunings=tunings)
 
 
 def _at_boundaries(options: core.FlowOptions, figures: dict[str, Any]) -> core.FlowOptions:
