@@ -25,13 +25,15 @@ class Inlet:
     """One corridor, by numbers of the strand's points, of which first .. last are its wall.
 
     gap     in its wall, where it comes farthest from the boundary
-    mouth   the vertex that is nearest to the middle of its mouth
+    middle  (3,) of its mouth, straight between first and last
+    mouth   the vertex that is nearest to that, and not beside a wall
     inside  the vertices of the corridor
     """
 
     first: int
     last: int
     gap: int
+    middle: NDArray[np.float64]
     mouth: int
     inside: NDArray[np.int64]
 
@@ -42,6 +44,7 @@ def find_inlets(
     outside: Graph,
     border: NDArray[np.int64],
     away: NDArray[np.float64],
+    room: NDArray[np.float64],
     spacing: float,
 ) -> list[Inlet]:
     """Of a closed line on a sheet, in the order of the line.
@@ -50,6 +53,7 @@ def find_inlets(
     outside  the edges of the side that touches the boundary
     border   the vertices of the boundary
     away     (n,) how far the line's points are from the boundary, straight
+    room     how far every vertex is from the line
     """
     walls = np.zeros(len(positions), dtype=bool)
     walls[line] = True
@@ -76,8 +80,9 @@ def find_inlets(
             continue
         taken[inside] = True
         middle = (positions[line[first]] + positions[line[last]]) / 2.0
-        mouth = int(inside[np.argmin(np.linalg.norm(positions[inside] - middle, axis=1))])
-        found.append(Inlet(first, last, gap, mouth, inside))
+        off = np.linalg.norm(positions[inside] - middle, axis=1)
+        mouth = int(inside[np.argmin(off - room[inside])])
+        found.append(Inlet(first, last, gap, middle, mouth, inside))
     return found
 
 

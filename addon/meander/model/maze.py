@@ -253,14 +253,22 @@ class Maze:
             _, before = ways(self._graph(self.region), [begin], self._on_line)
         return way_to(end, before)
 
+    def course(self, way: NDArray[np.int64]) -> NDArray[np.float64]:
+        """A way() as points (n, 3), which begins and ends in the middle of a door: at the mouth of
+        an inlet no vertex may lie there."""
+        middles = {inlet.mouth: inlet.middle for inlet in self._inlets}
+        doors = [[middles[end]] if end in middles else [] for end in (int(way[0]), int(way[-1]))]
+        return np.vstack([*doors[0], self._cut.positions[way], *doors[1]])
+
     @cached_property
     def _inlets(self) -> list[Inlet]:
         """Of the other side, where the surface has a boundary."""
         if not len(self._border):
             return []
         outside, away = self._graph(self._other, plain=True), self._from_border(self._line)
+        cut = self._cut
         return find_inlets(
-            self._cut.positions, self._line, outside, self._border, away, self._spacing
+            cut.positions, self._line, outside, self._border, away, cut.distances, self._spacing
         )
 
     @property
