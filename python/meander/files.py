@@ -14,7 +14,7 @@ from .model import before_writing, export, sheets
 from .model import cut as cut_files
 from .model.files import meshes
 from .model.files.obj import read_obj_curve, write_obj_curve
-from .model.files.whole import FileError, whole_file
+from .model.files.whole import FileError, path_of, whole_file
 from .model.options.export import ROWS
 from .model.options.machines import without_effect
 from .model.options.option import Option
@@ -39,12 +39,12 @@ _OF_THE_COMMAND = (
 def read_mesh(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
     """Reads the mesh in an OBJ, PLY or STL file, in the file's own coordinates.
 
-    Returns vertices (n, 3) and triangles (m, 3), zero-based; polygons are fanned from their first
-    corner, and corners of an STL file at the same place are one vertex.
+    Returns vertices (n, 3) and triangles (m, 3), zero-based; polygons become the triangles that
+    Blender makes of them, and corners of an STL file at the same place are one vertex.
 
     Raises FileError: the file cannot be read, is of another kind or malformed, has no faces.
     """
-    return meshes.read_mesh(path)
+    return meshes.read_mesh(path_of(path))
 
 
 def read_curve(path: str | Path) -> Seed:
@@ -52,7 +52,7 @@ def read_curve(path: str | Path) -> Seed:
 
     Raises FileError: the file cannot be read, is malformed, has no lines, or a strand branches.
     """
-    return read_obj_curve(path)
+    return read_obj_curve(path_of(path))
 
 
 def write_curve(
@@ -89,8 +89,9 @@ def write_curve(
 
     Raises FileError: the file cannot be written, or an option means nothing for its format.
     """
-    path = Path(path)
-    _refuse(path, flow, step, tolerance)
+    path = path_of(path)
+    _refuse(path, flow, step, tolerance, frame_id)
+    step, tolerance = (None if each is None else float(each) for each in (step, tolerance))
     suffix, kind = export.suffix_of(path), export.format_of(path)
     values = drawing_values(suffix, kind, drawing)
     paper = _paper(sheet, sheet_margin)
@@ -143,26 +144,30 @@ def _paper(sides: Any, margin: Any) -> Paper | None:
     return found
 
 
-def _refuse(path: Path, flow: Any, step: float | None, tolerance: float | None) -> None:
+def _refuse(
+    path: Path, flow: Any, step: float | None, tolerance: float | None, frame_id: Any
+) -> None:
     if not isinstance(flow, Flow):
         raise FileError(f"flow must be a Flow, not a {type(flow).__name__}; write that of one")
     if export.suffix_of(path) not in _CURVES:
         raise FileError(
             f"{path} is no {', '.join(_CURVES[:-1])} or {_CURVES[-1]} file; choose another suffix"
         )
+    if not isinstance(frame_id, str):
+        raise FileError(f"frame_id {frame_id!r} is no name; give a str")
     if step is not None and tolerance is not None:
         raise FileError("step and tolerance are both given; choose one")
     if export.suffix_of(path) == ".obj" and not (step is None and tolerance is None):
         raise FileError("an .obj file has the whole curve; leave out step and tolerance")
     for name, length in (("step", step), ("tolerance", tolerance)):
         if length is not None and not _is_positive(length):
-            raise FileError(f"{name} {length!r} is not a number greater than 0")
+            raise FileError(f"{name} {length!r} is not a finite number greater than 0")
 
 
 def _is_positive(length: Any) -> bool:
     try:
-        return float(length) > 0.0
-    except (TypeError, ValueError):
+        return 0.0 < float(length) < np.inf
+    except (TypeError, ValueError, OverflowError):
         return False
 
 
@@ -175,11 +180,15 @@ def write_cut(path: str | Path, cut: CutSurface, spacing: float) -> None:
 
     Raises FileError: the file cannot be written, or is of another kind.
     """
-    path = Path(path)
+    path = path_of(path)
+    if not isinstance(cut, CutSurface):
+        raise FileError(f"cut must be a CutSurface, not a {type(cut).__name__}; cut a surface")
+    if not _is_positive(spacing):
+        raise FileError(f"spacing {spacing!r} is not a finite number greater than 0")
     if path.suffix.lower() not in cut_files.SUFFIXES:
         raise FileError(f"{path} is no .obj or .ply file; choose another suffix")
     with whole_file(path) as temporary:
-        cut_files.write(temporary, cut, spacing)
+        cut_files.write(temporary, cut, float(spacing))
 
 
 def drawing_values(

@@ -15,7 +15,7 @@ from .core import Flow, MeanderError, unknown_name
 from .files import drawing_values
 from .model import density, export
 from .model.files.rows import write_pieces
-from .model.files.whole import FileError, whole_file
+from .model.files.whole import FileError, path_of, whole_file
 from .model.picture import line
 from .model.picture.drawn import preview
 from .model.picture.image import Image, image_of, read_image
@@ -95,7 +95,7 @@ class Drawing:
         Raises FileError: the file cannot be written, or an option means nothing for its format;
         MeanderError for a margin that is none.
         """
-        path, margin = Path(path), _number("margin", margin, 0.0)
+        path, margin = path_of(path), _number("margin", margin, 0.0)
         kind = export.format_of(path)
         if kind is None:
             raise FileError(
@@ -184,12 +184,15 @@ def tone_density(
         if name not in known:
             raise MeanderError(unknown_name("wish", name, known))
     _check_lengths(spacing=spacing, pen=pen)
-    values = np.asarray(light, dtype=np.float64)
+    try:
+        values = np.asarray(light, dtype=np.float64)
+    except (TypeError, ValueError):
+        values = np.empty((0, 0))
     if values.ndim != 1 or not np.isfinite(values).all():
         raise MeanderError("light is no list of finite numbers; give one for each vertex")
     made = _tone(tone, wishes)
     levels = None if made.levels is None else tuple(light_of(np.array(made.levels)).tolist())
-    return density.tone_density(values, made, pen / spacing, levels)
+    return density.tone_density(values, made, float(pen) / float(spacing), levels)
 
 
 def _check_lengths(**lengths: Any) -> None:
@@ -202,14 +205,14 @@ def _check_lengths(**lengths: Any) -> None:
 def _check_numbers(wishes: dict[str, Any]) -> None:
     """Raises MeanderError for a wish that is no number, or none that it may be."""
     for name, (least, greatest) in _RANGES.items():
-        if wishes.get(name) is not None:
+        if name in wishes:
             _number(name, wishes[name], least, greatest)
 
 
 def _as_number(name: str, value: Any) -> float:
     try:
         return float(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise MeanderError(f"{name} {value!r} is not a number") from None
 
 

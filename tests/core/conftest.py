@@ -12,6 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -28,6 +29,19 @@ def _import_package() -> None:
     module = importlib.util.module_from_spec(spec)
     sys.modules["meander"] = module
     spec.loader.exec_module(module)
+
+
+def of_python_package(name: str) -> ModuleType:
+    """A module of the Python package, beside the modules of the add-on."""
+    for each in ("files", "pictures"):
+        if f"meander.{each}" not in sys.modules:
+            place = REPOSITORY / "python" / "meander" / f"{each}.py"
+            spec = importlib.util.spec_from_file_location(f"meander.{each}", place)
+            module = importlib.util.module_from_spec(spec)
+            sys.modules[spec.name] = module
+            setattr(sys.modules["meander"], each, module)
+            spec.loader.exec_module(module)
+    return sys.modules[f"meander.{name}"]
 
 
 _import_package()

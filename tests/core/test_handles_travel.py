@@ -17,6 +17,8 @@ import numpy as np
 import pytest
 from conftest import PACKAGE
 from meander import core
+from meander.model.files import whole
+from meander.model.files.whole import NotWritten
 from sentences import assert_sentence
 
 COPIES: dict[str, Callable[[Any], Any]] = {
@@ -57,6 +59,27 @@ def test_the_copy_of_a_surface_is_one_of_its_own(name: str) -> None:
     with pytest.raises(core.MeanderError) as caught:
         COPIES[name](other)
     assert_sentence(str(caught.value))
+
+
+def test_errors_travel_as_they_are(tmp_path) -> None:
+    """A pool of processes hangs or breaks where the error of a worker cannot be made again."""
+    mesh = geometry.grid(4)
+
+    def written() -> None:
+        with whole.whole_file(tmp_path / "none" / "a.obj") as temporary:
+            temporary.write_text("v 0 0 0\n")
+
+    for kind, attempt in (
+        (NotWritten, written),
+        (whole.FileError, lambda: whole.read_bytes(tmp_path / "none")),
+        (core.MeanderError, lambda: core.Surface(mesh.vertices, [[0, 1, 1]])),
+        (core.MeanderError, lambda: core.SurfaceOptions(xyzzy=3)),
+    ):
+        with pytest.raises(kind) as caught:
+            attempt()
+        for again in (copy.copy(caught.value), pickle.loads(pickle.dumps(caught.value))):
+            assert type(again) is kind and str(again) == str(caught.value)
+            assert vars(again) == vars(caught.value)
 
 
 def test_what_a_surface_was_made_of_is_its_own() -> None:

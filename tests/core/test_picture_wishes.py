@@ -3,14 +3,11 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
 from pathlib import Path
 
-import meander
 import numpy as np
 import pytest
-from conftest import REPOSITORY
+from conftest import of_python_package
 from meander.core import MeanderError
 from meander.model.files.whole import FileError
 
@@ -20,17 +17,7 @@ NAN = float("nan")
 
 @pytest.fixture(scope="module")
 def pictures():
-    """The module of the Python package, beside the modules of the add-on."""
-    for name in ("files", "pictures"):
-        if f"meander.{name}" in sys.modules:
-            continue
-        place = REPOSITORY / "python" / "meander" / f"{name}.py"
-        spec = importlib.util.spec_from_file_location(f"meander.{name}", place)
-        module = importlib.util.module_from_spec(spec)
-        sys.modules[spec.name] = module
-        setattr(meander, name, module)
-        spec.loader.exec_module(module)
-    return sys.modules["meander.pictures"]
+    return of_python_package("pictures")
 
 
 @pytest.mark.parametrize(
@@ -56,6 +43,7 @@ def pictures():
         ({"inks": "cyan"}, "inks 'cyan' is no list of names"),
         ({"inks": ("rosa",)}, "there is no ink called rosa"),
         ({"threads": "x"}, "threads 'x' is not a number"),
+        ({"threads": None}, "threads None is not a number"),
     ],
 )
 def test_a_wish_that_cannot_be_is_a_sentence(pictures, wish, said):

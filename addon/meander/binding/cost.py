@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from .abi import CostRecord, ExtentRecord
 from .calls import call, prepared
 from .flow_options import FlowOptions, options_record
+from .named import number_of, refuse_other, whole_of
 from .native_library import native
 
 
@@ -53,10 +54,11 @@ def estimate_cost(extent: Extent, options: FlowOptions) -> Cost:
 
     Raises MeanderError for figures and options that are out of range.
     """
+    refuse_other("extent", extent, Extent, "take that of a surface")
     given, found = prepared(ExtentRecord), prepared(CostRecord)
-    given.faces = int(extent.faces)
+    given.faces = whole_of("number of faces", extent.faces)
     for name in ("length_area", "node_area", "edge_density", "curvature"):
-        setattr(given, name, float(getattr(extent, name)))
+        setattr(given, name, number_of(name, getattr(extent, name)))
     record = options_record(options)
     call(native().meander_extent_estimate_cost, byref(given), byref(record), byref(found))
     return Cost(

@@ -13,7 +13,7 @@ from .calls import Found
 from .context import Context, pointer_of
 from .flow import Flow
 from .handle import narrow_offsets
-from .named import number_of, refuse_other
+from .named import number_of, refuse_other, switch_of
 from .native_library import native
 
 NO_STRAND = 2**32 - 1
@@ -97,7 +97,7 @@ def cut_surface(
             native().meander_flow_cut_surface,
             pointer,
             number_of("detail", detail),
-            int(middle_lines),
+            switch_of("wish for middle lines", middle_lines),
             context=(cancelling,),
         )
     n, m, p, s = cut.vertex_count, cut.face_count, cut.point_count, cut.strand_count

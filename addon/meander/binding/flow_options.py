@@ -11,9 +11,8 @@ from dataclasses import dataclass, fields
 from .abi import FlowOptionFields, FlowOptionsRecord
 from .calls import call, prepared
 from .choices import PRESETS
-from .errors import MeanderError
 from .handle import chosen
-from .named import only_its_names, refuse_other
+from .named import number_of, only_its_names, refuse_other, whole_of
 from .native_library import native
 
 
@@ -63,21 +62,6 @@ def default_options(preset: str = "even") -> FlowOptions:
     return FlowOptions(**(values | {"preset": preset}), tunings=tunings)
 
 
-def _number(name: str, value: object, whole: bool) -> int | float:
-    """The value of an option as C takes it."""
-    try:
-        if not whole:
-            return float(value)
-        number = int(value)
-        # ctypes would turn -1 into 4294967295 without a word.
-        if number == value and 0 <= number <= 0xFFFFFFFF:
-            return number
-    except (TypeError, ValueError, OverflowError):
-        pass
-    wanted = "a whole number, 0 or more" if whole else "a number"
-    raise MeanderError(f"the option {name} must be {wanted}, not {value!r}")
-
-
 def options_record(options: FlowOptions) -> FlowOptionsRecord:
     """The C struct of options; what they do not name is as the preset has it."""
     refuse_other("options", options, FlowOptions)
@@ -85,10 +69,12 @@ def options_record(options: FlowOptions) -> FlowOptionsRecord:
     kinds = {field[0]: field[1] for field in FlowOptionsRecord._fields_}
     for name in _OPTION_NAMES:
         if name != "preset":
-            setattr(record, name, _number(name, getattr(options, name), kinds[name] is c_uint32))
+            read = whole_of if kinds[name] is c_uint32 else number_of
+            setattr(record, name, read(f"option {name}", getattr(options, name)))
+    refuse_other("tunings", options.tunings, dict, "give numbers by name")
     set_tuning = native().meander_flow_options_set_tuning
     for name, value in options.tunings.items():
-        call(set_tuning, byref(record), name.encode(), _number(name, value, whole=False))
+        call(set_tuning, byref(record), name.encode(), number_of(f"tuning {name}", value))
     return record
 
 

@@ -15,6 +15,7 @@ from .calls import Found, call
 from .context import Context, pointer_of
 from .elsewhere import mesh_arrays
 from .handle import address_of, checked_array
+from .named import number_of, whole_of
 from .native_library import native
 
 
@@ -46,7 +47,7 @@ def find_faults(vertices: ArrayLike, faces: ArrayLike, weld_distance: float = 0.
             len(vertex_array),
             address_of(face_array),
             len(face_array),
-            float(weld_distance),
+            number_of("weld distance", weld_distance),
             context=(cancelling,),
         )
     return Faults(found.array("kinds", record.count), found.array("elements", record.count, 2))
@@ -98,6 +99,7 @@ def _closest(
     count = len(asked)
     found = Closest(np.empty(count, np.uint32), np.empty((count, 3)), np.empty(count))
     arrays = tuple(address_of(array) for array in found)
+    number = whole_of("number of threads", threads)
     with pointer_of(context) as cancelling:
-        call(function, *mesh, address_of(asked), count, int(threads), *arrays, cancelling)
+        call(function, *mesh, address_of(asked), count, number, *arrays, cancelling)
     return found

@@ -9,9 +9,13 @@ from collections.abc import Iterable
 from dataclasses import fields
 from typing import Any, TypeVar
 
+import numpy as np
+
 from .errors import MeanderError
 
 _Class = TypeVar("_Class", bound=type)
+
+_MOST_LETTERS = 60
 
 
 def unknown_name(what: str, name: str, known: Iterable[str]) -> str:
@@ -65,4 +69,28 @@ def number_of(what: str, value: Any) -> float:
     try:
         return float(value)
     except (TypeError, ValueError, OverflowError):
-        raise MeanderError(f"the {what} must be a number, not {value!r}") from None
+        raise MeanderError(f"the {what} must be a number, not {_shown(value)}") from None
+
+
+def whole_of(what: str, value: Any) -> int:
+    """A whole number of 32 bits: ctypes would turn -1 into 4294967295 without a word."""
+    try:
+        number = int(value)
+        if number == value and 0 <= number <= 0xFFFFFFFF:
+            return number
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise MeanderError(f"the {what} must be a whole number, 0 or more, not {_shown(value)}")
+
+
+def switch_of(what: str, value: Any) -> bool:
+    """What is on or off: a word such as "no" would be on."""
+    if isinstance(value, bool | int | np.bool_) and value in (False, True):
+        return bool(value)
+    raise MeanderError(f"the {what} must be True or False, not {_shown(value)}")
+
+
+def _shown(value: Any) -> str:
+    """A value within a sentence, which an array of many lines would be too long for."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= _MOST_LETTERS else f"a {type(value).__name__}"

@@ -28,7 +28,7 @@ from .errors import MeanderError
 from .flow_options import FlowOptions, options_record
 from .handle import Handle, address_of, checked_array, chosen, created
 from .interruption import heard
-from .named import refuse_other
+from .named import number_of, refuse_other, whole_of
 from .native_library import native
 from .seed import Seed, seed_record
 from .spacing import automatic_spacing, spacing_for
@@ -188,6 +188,7 @@ class FlowRun(Handle):
         with self._use() as pointer, ExitStack() as run:
             # One of its own too: an interrupted wait cancels it.
             given = run.enter_context(Context()) if context is None else context
+            refuse_other("context", given, Context, "make one, or leave it out")
             cancel = run.enter_context(given._use_in_call())
             call(function, pointer, cancel._as_parameter_)
             self._cancel = cancel.now
@@ -225,8 +226,9 @@ class FlowRun(Handle):
         length_step   a copy is kept whenever the curve is longer by this than at the last; 0: none
         point_limit   how many points those have at most that have not been taken yet
         """
+        step, limit = number_of("length step", length_step), whole_of("point limit", point_limit)
         with self._use() as pointer:
-            call(native().meander_flow_keep_growth, pointer, float(length_step), int(point_limit))
+            call(native().meander_flow_keep_growth, pointer, step, limit)
 
     def preview(self) -> Preview | None:
         """The oldest copy of growth that is left, else the newest copy of the curve of a started

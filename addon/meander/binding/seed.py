@@ -13,7 +13,7 @@ from .abi import SeedRecord, Status
 from .calls import prepared
 from .errors import MeanderError
 from .handle import address_of, checked_array
-from .named import only_its_names, refuse_other
+from .named import number_of, only_its_names, refuse_other, switch_of
 
 
 @only_its_names
@@ -87,7 +87,7 @@ def seed_record(seed: Seed) -> tuple[SeedRecord, tuple[NDArray[Any], ...]]:
     record.closed = address_of(closed)
     record.fixed = address_of(fixed)
     record.guides = address_of(guides)
-    record.fill_regions = int(seed.loops)
-    record.max_distance = seed.max_distance
+    record.fill_regions = switch_of("seed's loops", seed.loops)
+    record.max_distance = number_of("seed's max_distance", seed.max_distance)
     optional = tuple(array for array in (fixed, guides) if array is not None)
     return record, (points, ends, closed, *optional)

@@ -4,9 +4,12 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+
+from .elsewhere import mesh_arrays
 
 # Smaller areas have lost digits.
 _LEAST_AREA = 1e-290
@@ -27,11 +30,14 @@ def area_of(vertices: NDArray[np.float64], faces: NDArray[np.integer]) -> float:
         return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2.0)
 
 
-def automatic_spacing(vertices: NDArray[np.float64], faces: NDArray[np.integer]) -> float:
+def automatic_spacing(vertices: ArrayLike | Any, faces: ArrayLike | None = None) -> float:
     """The spacing of triangles where nobody chose one; see spacing_for.
+
+    vertices, faces   as for Surface
 
     Faces that name vertices which are not there are for the library to refuse: 1 then.
     """
+    vertices, faces = mesh_arrays(vertices, faces)
     if len(faces) == 0 or faces.max() >= len(vertices):
         return 1.0
     area = area_of(vertices, faces)

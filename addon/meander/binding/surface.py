@@ -25,7 +25,7 @@ from .elsewhere import mesh_arrays
 from .errors import MeanderError
 from .handle import Handle, address_of, checked_array, chosen, created, narrow_offsets
 from .mesh_search import Closest, _closest
-from .named import number_of, only_its_names, refuse_other
+from .named import number_of, only_its_names, refuse_other, switch_of, whole_of
 from .native_library import native
 from .seed import Seed
 
@@ -66,21 +66,25 @@ class SurfaceOptions:
     polygons: NDArray[np.uint32] | None = None
 
 
+_SWITCHES = (
+    "drop_degenerate",
+    "split_bow_ties",
+    "cut_non_manifold",
+    "make_manifold",
+    "drop_doubled",
+)
+_NUMBERS = ("merge_distance", "weld_distance", "smallest_part", "mask_threshold")
+
+
 def _surface_options_record(
     options: SurfaceOptions, vertex_count: int, face_count: int
 ) -> tuple[SurfaceOptionsRecord, tuple[NDArray[Any], ...]]:
     """The C struct of the options, and the arrays that it points to."""
     refuse_other("options", options, SurfaceOptions)
     record = prepared(SurfaceOptionsRecord)
-    record.drop_degenerate = bool(options.drop_degenerate)
-    record.split_bow_ties = bool(options.split_bow_ties)
-    record.cut_non_manifold = bool(options.cut_non_manifold)
-    record.drop_doubled = bool(options.drop_doubled)
-    record.merge_distance = float(options.merge_distance)
-    record.make_manifold = bool(options.make_manifold)
-    record.weld_distance = float(options.weld_distance)
-    record.smallest_part = float(options.smallest_part)
-    record.mask_threshold = float(options.mask_threshold)
+    for names, read in ((_SWITCHES, switch_of), (_NUMBERS, number_of)):
+        for name in names:
+            setattr(record, name, read(f"option {name}", getattr(options, name)))
     arrays: list[NDArray[Any]] = []
     for name, dtype, count, element in (
         ("face_mask", np.uint8, face_count, "faces"),
@@ -140,7 +144,7 @@ class Surface(Handle):
         record, arrays = _surface_options_record(
             SurfaceOptions() if options is None else options, len(vertex_array), len(face_array)
         )
-        record.threads = int(threads)
+        record.threads = whole_of("number of threads", threads)
         with pointer_of(context) as cancelling:
             pointer = created(
                 library.meander_surface_create,

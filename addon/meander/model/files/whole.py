@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 # What file systems without a way to flush say to it.
 _NO_FLUSH = (errno.EINVAL, errno.ENOSYS, errno.ENOTSUP)
@@ -27,6 +28,14 @@ TEMPORARY_NAMES = "MEANDER_TEMPORARY_NAMES"
 
 class FileError(Exception):
     """A file that cannot be read or written; ``str(error)`` is one sentence for people."""
+
+
+def path_of(name: Any) -> Path:
+    """The path of what a program gives for one. Raises FileError for what is none."""
+    try:
+        return Path(os.fsdecode(name))
+    except TypeError:
+        raise FileError(f"a {type(name).__name__} is no path; give a str or a Path") from None
 
 
 def why_no_file(path: Path) -> str:
@@ -61,8 +70,12 @@ class NotWritten(FileError):
     """
 
     def __init__(self, path: Path, reason: str) -> None:
-        super().__init__(f"{path} cannot be written ({reason}); choose another place")
+        super().__init__(path, reason)  # what it is made of again where it is unpickled
         self.reason = reason
+
+    def __str__(self) -> str:
+        path, reason = self.args
+        return f"{path} cannot be written ({reason}); choose another place"
 
 
 def read_bytes(path: Path) -> bytes:
