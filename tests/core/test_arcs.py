@@ -11,7 +11,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch
-from meander.model.geometry.arcs import fitted
+from meander.model.geometry.arcs import Moves, fitted
 from meander.model.toolpaths import toolpath
 from meander.model.toolpaths.drawing import Drawing
 from meander.model.toolpaths.dxf import dxf_pieces
@@ -63,6 +63,15 @@ def test_what_is_a_line_or_a_circle_is_found(scale: float) -> None:
     radii = moves.radii[moves.turns != 0]
     assert len(radii) and np.allclose(radii, 2.0 * scale, rtol=0.02)
     assert np.abs(moves.turns).sum() == pytest.approx(np.pi, rel=0.05)
+
+
+@pytest.mark.parametrize("tolerance", [1e-300, 1e-12, 0.0])
+def test_no_tolerance_is_too_small_for_chords(tolerance: float) -> None:
+    half = Moves(np.array([1.0, 0.0]), np.array([[-1.0, 0.0]]), np.zeros((1, 2)), np.array([np.pi]))
+    places = half.flattened(tolerance)
+    assert 100 < len(places) < 3000
+    middles = (places[:-1] + places[1:]) / 2.0
+    assert (np.linalg.norm(middles, axis=1) > 1.0 - 1e-6).all()
 
 
 def test_corners_and_repeated_points_are_kept() -> None:

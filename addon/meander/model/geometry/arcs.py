@@ -11,6 +11,9 @@ from numpy.typing import NDArray
 # No arc turns by more than this: controllers and readers take half circles in different ways.
 _MOST_TURN = 0.9 * np.pi
 
+# How near to an arc its chords have to be at most, of its radius.
+_LEAST_SAG = 1e-6
+
 
 class Moves(NamedTuple):
     """A way of lines and arcs from a start; of a closed strand the last one ends at the start.
@@ -36,13 +39,15 @@ class Moves(NamedTuple):
         return np.linalg.norm(self.ends - self.centres, axis=1)
 
     def flattened(self, tolerance: float) -> NDArray[np.float64]:
-        """Points on the way, (n, 2), whose chords are within a tolerance of its arcs."""
+        """Points on the way, (n, 2), whose chords are within a tolerance of its arcs, or within a
+        millionth of their radius."""
         places = [self.start[None]]
         at = self.start
         for end, centre, turn in zip(self.ends, self.centres, self.turns):
             if turn != 0.0:
                 radius = float(np.linalg.norm(end - centre))
-                step = 2.0 * np.arccos(max(0.0, 1.0 - min(1.0, tolerance / radius)))
+                beside = min(1.0, max(tolerance / radius, _LEAST_SAG))
+                step = 2.0 * np.arccos(1.0 - beside)
                 count = max(2, int(np.ceil(abs(turn) / step)))
                 first = np.arctan2(*(at - centre)[::-1])
                 angles = first + turn * np.arange(1, count) / count
