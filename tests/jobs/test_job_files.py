@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shlex
 from pathlib import Path
 
@@ -266,6 +267,21 @@ MISTAKES = {
     "over an input": (
         '[job]\nfolder = "meshes"\n' + SPACING + '[[items]]\ninput = "meshes/a.obj"\n', "overwrite",
     ),
+    "a name that no file can have": (
+        SPACING + f'[[items]]\ninput = "{"x" * 5000}.obj"\n', "can be no file",
+    ),
+    "a header that is none": (SPACING + ITEM + f'header = "{"x" * 5000}"\n', "can be no file"),
+    "a blank folder": ('[job]\nfolder = " "\n' + SPACING + ITEM, "folder is empty"),
+    "an empty program": ('[job]\npython = ""\n' + SPACING + ITEM, "python is empty"),
+    "an empty command": ('[job]\ncommand = [""]\n' + SPACING + ITEM, "command is empty"),
+    "key twice, otherwise": (
+        SPACING + ITEM + "max_radius = 1\nmax-radius = 2\n", "there twice, as max_radius too",
+    ),
+    "a sheet over an output": (
+        SPACING + ITEM + 'name = "x"\nlayout = "top"\noutput = "a.svg"\nsheet = "a4"\n'
+        + ITEM + 'name = "y"\nlayout = "top"\noutput = "A_R1C2.svg"\n',
+        "a_r1c2.svg of y; put {name}",
+    ),
     "engine without Blender": (
         '[job]\nengine = "python"\n' + SPACING + '[[items]]\ninput = "shot.blend"\n',
         "needs Blender",
@@ -290,6 +306,26 @@ def test_other_text_is_a_sentence(job):
         job_file.read(job.file)
 
 
+@pytest.mark.skipif(os.sep != "/", reason="they part folders here")
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[[items]]\ninput = 'meshes\\a.obj'\n",
+        "[[items]]\ninput = 'meshes\\*.obj'\n",
+        ITEM + "seed = 'meshes\\b.obj'\n",
+        ITEM + "output = 'fine\\a.obj'\n",
+        ITEM + "name = 'fine\\a'\n",
+    ],
+)
+def test_paths_of_windows_are_a_sentence_elsewhere(refused, text):
+    assert "has backslashes; write paths with /" in refused(SPACING + text)
+
+
+def test_sheets_of_items_beside_each_other_are_no_mistake(items):
+    drawn = 'layout = "top"\nsheet = "a4"\noutput = "{name}.svg"\n'
+    assert len(items(SPACING + '[[items]]\ninput = "meshes/*.obj"\n' + drawn)) == 2
+
+
 @pytest.mark.parametrize("name", MISTAKES)
 def test_a_mistake_is_one_sentence(refused, name):
     text, word = MISTAKES[name]
@@ -301,7 +337,7 @@ def test_a_mistake_is_one_sentence(refused, name):
     [
         ("--shard", "0/4"), ("--shard", "5/4"), ("--shard", "half"), ("--jobs", "0"),
         ("--slurm", "0"), ("--slurm", "4", "--list"), ("--slurm", "4", "--shard", "1/4"),
-        ("--no-such",), ("--summary", "nowhere/a.json"), ("--summary", "/"),
+        ("--no-such",), ("--summary", ""), ("--summary", "nowhere/a.json"), ("--summary", "/"),
     ],
     ids=" ".join,
 )  # fmt: skip

@@ -43,6 +43,7 @@ def said(job: Job, capsys: pytest.CaptureFixture, monkeypatch: pytest.MonkeyPatc
 
     for text, _word in MISTAKES.values():
         run(text)
+    run(SPACING + ITEM + "name = 'a\\b'\n")
     run(SPACING + ITEM, "--shard", "5/4")
     run(SPACING + ITEM, "--status", "--summary", str(job.file))
     run(SPACING + ITEM, "--summary", "nowhere/a.json")

@@ -12,6 +12,8 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+from meander.jobs import command
 from sentences import assert_sentence
 
 
@@ -288,3 +290,49 @@ def test_letters_that_a_console_does_not_know(job):
     assert done.returncode == 1 and b"Traceback" not in done.stderr
     assert b"W\\xfcrfel \\u2192 \\u7403" in done.stdout + done.stderr
     assert "Würfel \u2192 \u7403" in (job.results / "a.log").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("closed", [("stdout",), ("stderr",), ("stdout", "stderr")])
+def test_whoever_stops_reading_ends_no_job(job, closed):
+    job.meshes(a="ok", b="ok", c="refuse it is full", d="ok")
+    job.fill_all()
+    for arguments in ((), ("--list",), ("--dry-run",), ("--status",)):
+        read, write = os.pipe()
+        os.close(read)
+        streams = dict.fromkeys(("stdout", "stderr"), subprocess.PIPE)
+        streams |= dict.fromkeys(closed, write)
+        ended = subprocess.run(
+            job.command(*arguments), env=job.environment, text=True, timeout=60, **streams
+        )
+        os.close(write)
+        assert ended.returncode == (0 if "--list" in arguments or "--dry-run" in arguments else 1)
+        assert "Traceback" not in (ended.stdout or "") + (ended.stderr or "")
+    assert job.summary()["done"] == 3
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no full device")
+def test_a_full_disk_behind_what_is_said_ends_no_job(job):
+    job.meshes(a="ok", b="ok")
+    job.fill_all()
+    with open("/dev/full", "wb") as full:
+        ended = subprocess.run(
+            job.command(), env=job.environment, timeout=60, stdout=full, stderr=full
+        )
+        assert (ended.returncode, job.summary()["done"]) == (0, 2)
+        listed = subprocess.run(
+            job.command("--list"), timeout=60, stdout=full, stderr=subprocess.PIPE, text=True
+        )
+    assert listed.returncode == 2
+    assert "the standard output cannot be written (No space left on device)" in listed.stderr
+    assert "Traceback" not in listed.stderr
+
+
+def test_an_interruption_before_anything_runs_is_one_sentence(job, monkeypatch):
+    def interrupted(*_arguments):
+        raise KeyboardInterrupt
+
+    job.meshes(a="ok")
+    job.fill_all()
+    monkeypatch.setattr(command, "items_of", interrupted)
+    ended = job.run()
+    assert (ended.returncode, ended.stderr) == (130, "meander: interrupted\n")

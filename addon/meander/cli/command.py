@@ -237,7 +237,7 @@ def _leave_bundle(path: Path, opened: Opened, failure: core.MeanderError) -> Non
         bundle.write_bundle(path, bundle.bundle_of(opened.flow, opened.problem, failure))
     except (core.MeanderError, FileError) as problem:  # the failure itself is still to be told
         said = str(problem)
-    print(f"meander: {said}", file=sys.stderr, flush=True)
+    while_heard(print, f"meander: {said}", file=sys.stderr, flush=True)
 
 
 def _remarks(

@@ -59,6 +59,27 @@ def while_heard(say: Callable[..., None], *line: Any, **how: Any) -> None:
         forget_unheard()
 
 
+def sent(write: Callable[[], None], way: str) -> None:
+    """Writes to the standard output what was asked for, as far as somebody reads it.
+
+    way   what to do where it cannot be written
+
+    Raises BadInput where it cannot.
+    """
+    if sys.stdout is None:
+        raise BadInput(f"there is no standard output; {way}")
+    try:
+        write()
+        sys.stdout.flush()
+    except BrokenPipeError:  # whoever reads it has enough
+        forget_unheard()
+    except OSError as problem:
+        forget_unheard()
+        raise BadInput(
+            f"the standard output cannot be written ({problem.strerror}); {way}"
+        ) from problem
+
+
 def forget_unheard() -> None:
     """Sends the standard streams that take nothing any more to nowhere: what is left in a buffer
     would fail once more when the process ends."""

@@ -24,7 +24,7 @@ from ..model.export import SUFFIXES as EXPORTED
 from ..model.files.stl import is_stl
 from ..model.files.whole import FileError
 from ..model.toolpaths.toolpath import SUFFIXES
-from .exit_code import forget_unheard, while_heard
+from .exit_code import sent, while_heard
 from .place import Place
 from .values import BadInput
 
@@ -110,21 +110,8 @@ def _kind_of(data: bytes, option: str) -> str:
 
 def _send(path: Path) -> None:
     """Sends a file to the standard output, if it was written and somebody reads it."""
-
-    if not path.exists():
-        return
-    if sys.stdout is None:
-        raise BadInput("there is no standard output; name a file")
-    try:
-        sys.stdout.buffer.write(path.read_bytes())
-        sys.stdout.flush()
-    except BrokenPipeError:  # whoever reads it has enough
-        forget_unheard()
-    except OSError as problem:
-        forget_unheard()
-        raise BadInput(
-            f"the standard output cannot be written ({problem.strerror}); name a file"
-        ) from problem
+    if path.exists():
+        sent(lambda: sys.stdout.buffer.write(path.read_bytes()), "name a file")
 
 
 def _asked(arguments: argparse.Namespace, place: Place) -> tuple[list[str], list[str]]:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import bpy
 
-from ..cli.exit_code import exit_code_of
+from ..cli.exit_code import exit_code_of, while_heard
 from ..cli.flags import add_flags
 from ..cli.limits import add_options as add_limits
 from ..cli.limits import refuse_large
@@ -105,7 +105,7 @@ def _draw(arguments: argparse.Namespace) -> None:
 
     def say(line: str) -> None:
         if not arguments.quiet:
-            print(f"meander: {line}", flush=True)
+            while_heard(print, f"meander: {line}", flush=True)
 
     if tone is not None:
         arguments.spacing = 2.0 * arguments.line_width
@@ -127,7 +127,7 @@ def _draw(arguments: argparse.Namespace) -> None:
     _fill(drawing, say)
     told = drawing.write(arguments.output, arguments.line_width, camera.name, arguments.report)
     for remark in drawing.remarks():
-        print(f"meander: warning: {remark}", file=sys.stderr, flush=True)
+        while_heard(print, f"meander: warning: {remark}", file=sys.stderr, flush=True)
     say(told)
     for written in filter(None, (arguments.output, arguments.report)):
         say(f"wrote {written}")

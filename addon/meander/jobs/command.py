@@ -9,21 +9,22 @@ import re
 import shlex
 import sys
 import traceback
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from ..cli.exit_code import print_any_letters
-from ..cli.values import BadInput, Parser, reader
+from ..cli.exit_code import print_any_letters, sent
+from ..cli.values import BadInput, Parser, file_name, reader
 from ..model.files.whole import FileError
 from . import engine
 from .folder import Folder
 from .items import Item, items_of, shard_of
 from .job_file import JobError, JobFile, read
 from .objects import Meshes
-from .progress import Progress, write_summary
+from .progress import Progress, said, write_summary
 from .slurm import script_of
 from .worker import Worker
 
+_ELSEWHERE = "send it elsewhere"
 _SHARD = re.compile(r"(\d{1,6})/(\d{1,6})")
 
 
@@ -37,8 +38,11 @@ def main(argv: Sequence[str]) -> int:
     try:
         return _run(_parser().parse_args(argv))
     except (BadInput, JobError, FileError) as problem:
-        print(f"meander: {' '.join(str(problem).split())}", file=sys.stderr, flush=True)
+        said(" ".join(str(problem).split()))
         return 2
+    except KeyboardInterrupt:  # before anything runs, or after that
+        said("interrupted")
+        return 130
     except Exception:
         traceback.print_exc()
         return 2
@@ -51,12 +55,17 @@ def _parser() -> argparse.ArgumentParser:
         allow_abbrev=False,
     )
     add = parser.add_argument
-    add("job", type=Path, metavar="JOB", help="the job file, TOML")
+    add("job", type=file_name, metavar="JOB", help="the job file, TOML")
     add("--jobs", type=reader(int, 1, 1024), default=1, metavar="N", help="items run at once")
     add("--shard", metavar="I/N", help="only part I of N, counted from 1")
     add("--again", action="store_true", help="run what is done, too")
     add("--quiet", action="store_true", help="say nothing but what fails")
-    add("--summary", type=Path, metavar="JSON", help="default: summary.json in the job's folder")
+    add(
+        "--summary",
+        type=file_name,
+        metavar="JSON",
+        help="default: summary.json in the job's folder",
+    )
     instead = parser.add_mutually_exclusive_group()
     add = instead.add_argument
     add("--list", action="store_true", help="run nothing: print every item and its state")
@@ -87,13 +96,14 @@ def _run(arguments: argparse.Namespace) -> int:
         if arguments.shard is not None:
             raise JobError("--slurm makes the shards itself; leave --shard out")
         folder.make(items)  # Slurm writes its logs there
-        print(script_of(job, items, folder, arguments.slurm, arguments.jobs), end="")
+        script = script_of(job, items, folder, arguments.slurm, arguments.jobs)
+        sent(lambda: print(script, end=""), _ELSEWHERE)
         return 0
     items = shard_of(items, number, count)
-    if arguments.list:
-        return _list(job, items, folder)
-    if arguments.dry_run:
-        return _dry_run(job, items, folder, arguments)
+    if arguments.list or arguments.dry_run:
+        lines = _listed if arguments.list else _commands
+        sent(lambda: _print(lines(job, items, folder, arguments)), _ELSEWHERE)
+        return 0
     progress = Progress(len(items), arguments.jobs, arguments.quiet)
     finished = True
     if arguments.status:
@@ -103,7 +113,7 @@ def _run(arguments: argparse.Namespace) -> int:
         if missing is not None:
             raise JobError(missing)
         if sys.platform != "linux" and any(item.memory is not None for item in items):
-            print("meander: memory is limited on Linux only; here it is not", file=sys.stderr)
+            said("memory is limited on Linux only; here it is not")
         folder.make(items)
         shared = arguments.shard is None
         worker = Worker(job, items, folder, progress, arguments.jobs, shared, arguments.again)
@@ -144,20 +154,27 @@ def _state_of(item: Item, folder: Folder) -> tuple[str, str]:
     return ("failed", failure) if failure else ("left", "")
 
 
-def _list(job: JobFile, items: list[Item], folder: Folder) -> int:
+def _print(lines: Iterator[str]) -> None:
+    for line in lines:
+        print(line)
+
+
+def _listed(
+    job: JobFile, items: list[Item], folder: Folder, _arguments: argparse.Namespace
+) -> Iterator[str]:
     for item in items:
         state, _sentence = _state_of(item, folder)
         source = os.path.relpath(item.options.input, job.path.parent)
-        print(f"{state:6}  {item.name}  from {source}")
-    return 0
+        yield f"{state:6}  {item.name}  from {source}"
 
 
-def _dry_run(job: JobFile, items: list[Item], folder: Folder, arguments: argparse.Namespace) -> int:
+def _commands(
+    job: JobFile, items: list[Item], folder: Folder, arguments: argparse.Namespace
+) -> Iterator[str]:
     threads = max(1, engine.processors() // arguments.jobs)
     for item in items:
         if arguments.again or _state_of(item, folder)[0] != "done":
-            print(shlex.join(engine.command_of(job, item, threads)))
-    return 0
+            yield shlex.join(engine.command_of(job, item, threads))
 
 
 def _look(items: list[Item], folder: Folder, progress: Progress) -> None:

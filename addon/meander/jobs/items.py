@@ -11,7 +11,7 @@ import os
 import re
 import string
 import unicodedata
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -71,14 +71,17 @@ class Item:
         """Files that are there of which the run decides how many there are: images of its maps,
         sheets of its drawing."""
         found: list[Path] = []
-        for of_run, name in ((is_of, self.options.maps), (sheets.is_of, self._of_sheets)):
-            if name is not None and name.parent.is_dir():
+        for of_run, name in self.several:
+            if name.parent.is_dir():
                 found += sorted(path for path in name.parent.iterdir() if of_run(name, path))
         return found
 
     @property
-    def _of_sheets(self) -> Path | None:
-        return None if self.options.sheet is None else self.options.output
+    def several(self) -> list[tuple[Callable[[Path, Path], bool], Path]]:
+        """Names of which the run makes others, and what says whether one is of them."""
+        sheet = None if self.options.sheet is None else self.options.output
+        both = ((is_of, self.options.maps), (sheets.is_of, sheet))
+        return [(of_run, name) for of_run, name in both if name is not None]
 
 
 def items_of(job: JobFile, meshes: Meshes, summary: Path | None = None) -> list[Item]:
@@ -149,7 +152,7 @@ def _files(job: JobFile, where: str, patterns: list[str]) -> list[Path]:
     found: dict[Path, None] = {}
     results = os.path.abspath(job.folder) + os.sep
     for pattern in patterns:
-        whole = job.path.parent / pattern
+        whole = _place(where, "input", job.path.parent, pattern)
         if whole.exists() or not glob.has_magic(pattern):
             found[whole] = None
             continue
@@ -300,6 +303,7 @@ def _filled(where: str, key: str, pattern: Any, values: Mapping[str, Any]) -> st
         raise JobError(
             f"{where}: the {key} {pattern!r} cannot be filled in; use {known}"
         ) from problem
+    _refuse_backslashes(where, key, text)
     parts = Path(text).parts
     if not text.strip():
         raise JobError(f"{where}: the {key} is empty; give one, or leave it out")
@@ -310,10 +314,31 @@ def _filled(where: str, key: str, pattern: Any, values: Mapping[str, Any]) -> st
     return text
 
 
+def _place(where: str, key: str, folder: Path, text: str) -> Path:
+    """Where a file that is read may be, which need not be there. Raises JobError."""
+    path = folder / text
+    try:
+        there = path.exists()
+    except OSError as problem:
+        raise JobError(
+            f"{where}: the {key} can be no file ({problem.strerror}); correct "
+            f"{job_file.quoted(text)}"
+        ) from problem
+    if not there:
+        _refuse_backslashes(where, key, text)
+    return path
+
+
+def _refuse_backslashes(where: str, key: str, text: str) -> None:
+    """Elsewhere than on Windows they are letters like any other, and surely not meant as such."""
+    if os.sep == "/" and "\\" in text:
+        raise JobError(f"{where}: the {key} {text!r} has backslashes; write paths with /")
+
+
 def _existing(where: str, key: str, folder: Path, value: Any) -> Path:
     if not isinstance(value, str):
         raise JobError(f"{where}: {key} is a text in quotes, not {value!r}")
-    path = folder / value
+    path = _place(where, key, folder, value)
     wrong = why_no_file(path)
     if wrong:
         raise JobError(f"{where}: the {key} {path} {wrong}")
@@ -354,3 +379,22 @@ def _check_paths(items: list[Item], job: Path, summary: Path | None) -> None:
                 both = "itself twice" if other == item.name else f"{other} and {item.name}"
                 raise JobError(f"{path} would be written by {both}; put {{name}} into the output")
             written[place] = item
+    _check_several(items)
+
+
+def _check_several(items: list[Item]) -> None:
+    """Refuses items whose sheets or images could have the name of what is read or written."""
+    makers = [(item, *each) for item in items for each in item.several]
+    of_folder: dict[Path, list[tuple[Path, Item]]] = {}
+    for item in items if makers else ():
+        for path in (*item.written, *files_read(item.options).values()):
+            place = Path(one_file(os.path.realpath(path)))
+            of_folder.setdefault(place.parent, []).append((place, item))
+    for item, of_run, name in makers:
+        place = Path(one_file(os.path.realpath(name)))
+        for other, owner in of_folder.get(place.parent, ()):
+            if of_run(place, other):
+                raise JobError(
+                    f"{item.name} writes several files beside {name}, and could overwrite "
+                    f"{other.name} of {owner.name}; put {{name}} into the output"
+                )

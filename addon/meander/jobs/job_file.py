@@ -160,6 +160,7 @@ def _check_job(path: Path, job: dict[str, Any]) -> None:
             right = bool(value) and all(isinstance(part, str) for part in value)
         if not right:
             raise JobError(f"{path.name}: [job] {key} is {_KINDS[kind]}, not {quoted(value)}")
+        texts(f"{path.name}: [job]", key, value)
     if job.get("engine", "auto") not in ENGINES:
         choices = ", ".join(ENGINES)
         raise JobError(

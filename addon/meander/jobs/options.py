@@ -64,7 +64,8 @@ def check_keys(where: str, table: Mapping[str, Any]) -> dict[str, Any]:
         if name not in known:
             raise JobError(f"{where} {unknown_key(key, known)}")
         if name in found:
-            raise JobError(f"{where}: {key} stands there twice, as {name} too; leave one out")
+            other = next(each for each in table if current_name(each.replace("_", "-")) == name)
+            raise JobError(f"{where}: {key} stands there twice, as {other} too; leave one out")
         found[name] = value
     return found
 

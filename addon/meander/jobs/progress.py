@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ..cli.exit_code import while_heard
 from ..model.files.whole import whole_file
 from .items import Item
 
@@ -44,7 +45,7 @@ class Progress:
         """An item that has just been finished."""
         self._outcomes.append(_Outcome(item, "done", "", seconds))
         if not self._quiet:
-            self._say(f"{item.name} done in {seconds:.1f} s ({self._so_far()})")
+            said(f"{item.name} done in {seconds:.1f} s ({self._so_far()})")
 
     def had_failed(self, item: Item, sentence: str) -> None:
         """An item that failed before."""
@@ -53,12 +54,12 @@ class Progress:
     def failed(self, item: Item, sentence: str, seconds: float | None) -> None:
         """An item that has failed just now, here (`seconds`: how long it took) or elsewhere."""
         self._outcomes.append(_Outcome(item, "failed", sentence, seconds))
-        self._say(f"{item.name} FAILED: {sentence} ({self._so_far()})")
+        said(f"{item.name} FAILED: {sentence} ({self._so_far()})")
 
     def waits(self, count: int) -> None:
         """All that is left is being run by other processes."""
         if not self._said_that_it_waits and not self._quiet:
-            self._say(f"waiting for {_items(count)} that other processes are at")
+            said(f"waiting for {_items(count)} that other processes are at")
         self._said_that_it_waits = True
 
     @property
@@ -73,14 +74,14 @@ class Progress:
         """The last lines: what failed, by name, and the sum."""
         failures = [outcome for outcome in self._outcomes if outcome.state == "failed"]
         for outcome in failures:
-            self._say(f"failed: {outcome.item.name}: {outcome.sentence}")
+            said(f"failed: {outcome.item.name}: {outcome.sentence}")
         done = len(self._outcomes) - len(failures)
         ending = f"{done} of {_items(self._total)} done, {len(failures)} failed, {self.left} left"
         if interrupted:
             ending = f"interrupted: {ending}; the same command goes on from here"
         elif self._quiet and not failures:
             return
-        self._say(f"{ending}, after {_duration(time.monotonic() - self._began)}")
+        said(f"{ending}, after {_duration(time.monotonic() - self._began)}")
 
     def summary(self) -> dict[str, Any]:
         """All figures, in types that JSON knows."""
@@ -118,9 +119,10 @@ class Progress:
             text += f", about {_duration(rounds * sum(times) / len(times))} to go"
         return text
 
-    @staticmethod
-    def _say(text: str) -> None:
-        print(f"meander: {text}", file=sys.stderr, flush=True)
+
+def said(text: str) -> None:
+    """Says a line on stderr, if somebody hears it."""
+    while_heard(print, f"meander: {text}", file=sys.stderr, flush=True)
 
 
 def write_summary(path: Path, summary: dict[str, Any]) -> None:

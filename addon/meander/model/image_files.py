@@ -100,8 +100,9 @@ def is_of(path: Path, other: Path) -> bool:
     if path.suffix.lower() == other.suffix.lower() and re.search(r"\.\d{4}$", stem):
         stem = stem[: stem.rindex(".")]
     of_kind = any(stem == f"{path.stem}_{kind}" for kind in KINDS)
-    same = os.path.realpath(path.parent) == os.path.realpath(other.parent)
-    return of_kind and same and path.suffix.lower() == other.suffix.lower()
+    if not of_kind or path.suffix.lower() != other.suffix.lower():
+        return False
+    return os.path.realpath(path.parent) == os.path.realpath(other.parent)
 
 
 def problem_of_tiles(tiles: Sequence[tuple[int, int]]) -> str | None:

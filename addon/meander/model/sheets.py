@@ -27,13 +27,13 @@ def file_of(path: Path, sheet: Sheet) -> Path:
 
 def is_of(path: Path, other: Path) -> bool:
     """Whether writing the sheets of `path` could write `other`."""
-    if os.path.realpath(path.parent) != os.path.realpath(other.parent):
-        return False
     stem = other.stem
     behind = stem[len(path.stem) :]
     same = stem[: len(path.stem)].casefold() == path.stem.casefold()
     of_kind = path.suffix.lower() == other.suffix.lower()
-    return same and of_kind and _NAME.fullmatch(behind.lower()) is not None
+    if not (same and of_kind and _NAME.fullmatch(behind.lower())):
+        return False
+    return os.path.realpath(path.parent) == os.path.realpath(other.parent)
 
 
 def write(
