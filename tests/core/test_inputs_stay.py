@@ -56,3 +56,35 @@ def test_none_is_overwritten(
     assert_sentence(said)
     assert f"--{option} would overwrite --{read}" in said
     assert victim.read_bytes() == before
+
+
+@pytest.mark.parametrize("name", ["out.obj/", "folder.obj/"])
+def test_the_name_of_a_folder_is_none_of_a_file(
+    files: dict[str, Path], name: str, capsys: pytest.CaptureFixture
+) -> None:
+    folder = files["input"].parent
+    (folder / "folder.obj").mkdir()
+    assert batch.main(["--input", str(files["input"]), "--output", f"{folder}/{name}"]) == 2
+    said = capsys.readouterr().err.rstrip("\n")
+    assert_sentence(said)
+    assert "folder; give" in said and not (folder / "out.obj").exists()
+
+
+@pytest.mark.parametrize(
+    ("line", "unit", "code"),
+    [("G20", "mm", 2), ("g20m3", "mm", 2), ("N10 G021", "in", 2), ("G20", "in", 0)]
+    + [("G21", "mm", 0), ("G203 X1", "mm", 0), ("M3 ; not G20", "mm", 0), ("(G20)", "mm", 0)],
+)
+def test_a_header_says_the_unit_of_the_drawing(
+    files: dict[str, Path], line: str, unit: str, code: int, capsys: pytest.CaptureFixture
+) -> None:
+    files["header"].write_text(f"{line}\n")
+    output = files["input"].with_name("out.gcode")
+    argv = ["--input", str(files["input"]), "--output", str(output), "--layout", "top"]
+    argv += ["--spacing", "0.4", "--iterations", "1", "--unit", unit]
+    assert batch.main([*argv, "--header", str(files["header"])]) == code
+    assert output.exists() == (code == 0)
+    if code:
+        said = capsys.readouterr().err.splitlines()[-1]
+        assert_sentence(said)
+        assert "but the drawing is in" in said

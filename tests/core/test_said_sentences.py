@@ -49,6 +49,8 @@ TRIES = """
 --begin-at 0 0
 --output out.svg --begin-at 0 0 0
 --output none/out.obj
+--output out.obj/
+--output out.gcode --layout top --header inches.txt
 --output sheet.obj
 --output long
 --seed line.obj --seed-object Name --input shot.blend
@@ -175,6 +177,7 @@ PICTURES = """
 --test-strip --lightest 0.4 --darkest 0.3
 --test-strip --levels 90 10
 --test-strip --output folder.obj
+--test-strip --output long
 --test-strip --output none/out.svg
 --test-strip --report out.svg
 --picture shot.blend --output - --output-format dxf --inks cyan,black
@@ -195,6 +198,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for name in ("shot.blend", "a.fbx", "line.ply", "head.txt", "head_r1c1.gcode"):
         (folder / name).write_text("x")
     (folder / "hold.txt").write_text("M117 Hold!")
+    (folder / "inches.txt").write_text("G20")
     (folder / "folder.obj").mkdir()
     return folder
 

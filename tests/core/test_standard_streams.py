@@ -124,3 +124,29 @@ def test_blender_keeps_the_standard_output_to_itself(mesh: Path, tmp_path: Path)
     with pytest.raises(BadInput, match="cannot be used in Blender"):
         with standard.streams(parser(place).parse_args(options), place):
             pass
+
+
+@pytest.mark.parametrize("name", ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"])
+@pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="this system has no such names")
+def test_a_report_goes_to_the_standard_output_by_its_other_names(
+    mesh: Path, tmp_path: Path, name: str
+) -> None:
+    output = tmp_path / "a.obj"
+    ended = _run(b"", "--input", mesh, "--output", output, "--report", name, "--quiet", *SHORT)
+    assert (ended.returncode, ended.stderr) == (0, b"")
+    assert json.loads(ended.stdout)["version"]
+
+
+@pytest.mark.skipif(not Path("/dev/stderr").exists(), reason="this system has no such name")
+def test_a_report_among_what_is_said(mesh: Path, tmp_path: Path) -> None:
+    """It is written behind the lines of a log that somebody has open, and does not replace it."""
+    command = [sys.executable, str(PACKAGE / "batch.py"), "--input", str(mesh), *SHORT]
+    command += ["--output", str(tmp_path / "a.obj"), "--report", "/dev/stderr", "--quiet"]
+    log = tmp_path / "log.txt"
+    log.write_text("begun\n")
+    with log.open("a") as stream:
+        ended = subprocess.run(command, stderr=stream, stdout=subprocess.DEVNULL, timeout=60)
+        stream.write("ended\n")
+    assert ended.returncode == 0
+    text = log.read_text()
+    assert text.startswith("begun\n{") and text.endswith("}\nended\n")

@@ -4,11 +4,9 @@
 from __future__ import annotations
 
 import argparse
-import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
-from typing import TypeVar
 
 from .. import core
 from ..model.export import SUFFIXES as EXPORTED
@@ -37,9 +35,8 @@ from . import (
     values,
 )
 from .place import Place
+from .places import asked, target_of
 from .values import BadInput, file_name
-
-_Answer = TypeVar("_Answer")
 
 # What --input may be, by its suffix.
 INPUTS = (*MESHES, ".blend")
@@ -164,12 +161,12 @@ def check_options(arguments: argparse.Namespace) -> None:
     if wrong is not None:
         raise BadInput(wrong)
     kind = arguments.input.suffix.lower()
-    if kind not in INPUTS and not _is(Path.is_dir, "--input", arguments.input):
+    if kind not in INPUTS and not asked(Path.is_dir, "--input", arguments.input):
         kinds = ", ".join(INPUTS[:-1])
         raise BadInput(f"--input {arguments.input} is no {kinds} or {INPUTS[-1]} file")
     for name, path in files_read(arguments).items():
         option = f"--{name.replace('_', '-')}"
-        fault = _is(why_no_file, option, path)
+        fault = asked(why_no_file, option, path)
         if fault:
             raise BadInput(f"{option} {path} {fault}")
     if kind != ".blend":
@@ -190,7 +187,7 @@ def check_options(arguments: argparse.Namespace) -> None:
     strand_problem = strands.problem_of(arguments)
     if strand_problem is not None:
         raise BadInput(strand_problem)
-    if _is(Path.is_dir, "--output", arguments.output) or not arguments.output.name:
+    if asked(Path.is_dir, "--output", arguments.output) or not arguments.output.name:
         raise BadInput(f"--output {arguments.output} is a folder; give a file name")
     if arguments.output.suffix.lower() not in OUTPUTS:
         kinds = ", ".join(OUTPUTS[:-1])
@@ -216,16 +213,7 @@ def _check_outputs(arguments: argparse.Namespace) -> None:
     for option, path in outputs.items():
         if path is None:
             continue
-        if _is(Path.is_dir, option, path) or not path.name:
-            raise BadInput(f"{option} {path} is a folder; give a file name")
-        # Through a symbolic link, what it points to is written.
-        target = _is(lambda named: Path(os.path.realpath(named)), option, path)
-        if not target.parent.is_dir():
-            raise BadInput(f"the folder of {option} {path} does not exist; make it first")
-        if not (path.exists() and not path.is_file()) and not os.access(target.parent, os.W_OK):
-            raise BadInput(f"the folder of {option} {path} cannot be written to; choose another")
-        if path.exists() and not os.access(target, os.W_OK):
-            raise BadInput(f"{option} {path} is protected against writing; choose another name")
+        target = target_of(option, path)
         for other, other_path in taken.items():
             if option == "--output" and sheets.may_write(arguments, path, other_path):
                 raise BadInput(f"--sheet would overwrite {other} {other_path}; choose another name")
@@ -234,14 +222,3 @@ def _check_outputs(arguments: argparse.Namespace) -> None:
             if not scene and are_one(target, other_path):
                 raise BadInput(f"{option} would overwrite {other} {path}; choose another name")
         taken[option] = path
-
-
-def _is(question: Callable[[Path], _Answer], option: str, path: Path) -> _Answer:
-    """Asks about a path; a name that no file can have is refused, and so is one in a current folder
-    that has been deleted."""
-    try:
-        return question(path)
-    except OSError as problem:
-        raise BadInput(
-            f"{option} {path} cannot be used ({problem.strerror}); choose another name"
-        ) from problem

@@ -36,6 +36,12 @@ _READ = ("input", "seed", "guides", "picture", "mask")
 _WRITTEN = ("output", "report")
 # And those whose file may not.
 _NAMED = ("cut", "maps", "preview")
+# What systems call the streams.
+_SYSTEM_NAMES = {
+    name: [Path(f"/dev/{word}"), Path(f"/dev/fd/{number}"), Path(f"/proc/self/fd/{number}")]
+    for names, word, number in ((_READ, "stdin", 0), (_WRITTEN, "stdout", 1))
+    for name in names
+}
 
 
 def add_options(parser: argparse.ArgumentParser, formats: Sequence[str] = FORMATS) -> None:
@@ -116,6 +122,9 @@ def _send(path: Path) -> None:
 
 def _asked(arguments: argparse.Namespace, place: Place) -> tuple[list[str], list[str]]:
     """The options that name the standard input, and those that name the standard output."""
+    for name, names in _SYSTEM_NAMES.items():
+        if getattr(arguments, name, None) in names:
+            setattr(arguments, name, NAME)
     read, written, named = (
         [name for name in names if getattr(arguments, name, None) == NAME]
         for names in (_READ, _WRITTEN, _NAMED)

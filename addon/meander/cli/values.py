@@ -42,6 +42,9 @@ def file_name(text: str) -> Path:
     """The path of a file."""
     if not text.strip():
         raise argparse.ArgumentTypeError("it is empty; give the name of a file")
+    # Without its end, which pathlib forgets, it would be the name of a file.
+    if text.endswith("/") and not Path(text).is_dir():
+        raise argparse.ArgumentTypeError(f"{text!r} names a folder; give the name of a file")
     return Path(text)
 
 

@@ -22,6 +22,7 @@ from ..model.picture.tone import RANGES
 from ..model.toolpaths import embroidery
 from . import flags, limits, sheets, standard, tone
 from .place import Place
+from .places import target_of
 from .values import BadInput, Parser, file_name, one_of_several, positive, reader
 
 PREVIEWS = (".png",)
@@ -243,10 +244,7 @@ def _check_outputs(arguments: argparse.Namespace) -> None:
     for option, path in written:
         if path is None:
             continue
-        if path.is_dir() or not path.name:
-            raise BadInput(f"--{option} {path} is a folder; give a file name")
-        if not path.resolve().parent.is_dir():
-            raise BadInput(f"the folder of --{option} {path} does not exist; make it first")
+        target_of(f"--{option}", path)
         for other, other_path in taken:
             if option == "output" and sheets.may_write(arguments, path, other_path):
                 raise BadInput(f"--sheet would overwrite {other} {other_path}; choose another name")

@@ -26,6 +26,10 @@ _LONGEST_SUFFIX = 8
 TEMPORARY_NAMES = "MEANDER_TEMPORARY_NAMES"
 
 
+# Where systems keep the names of what is open.
+_OPEN = (("/", "dev"), ("/", "proc"))
+
+
 class FileError(Exception):
     """A file that cannot be read or written; ``str(error)`` is one sentence for people."""
 
@@ -157,7 +161,7 @@ class _Begun:
     @property
     def is_moved(self) -> bool:
         """Whether the temporary file becomes the file; what is no file is written into."""
-        return self.there is None or stat.S_ISREG(self.there.st_mode)
+        return _is_replaced(self.path, self.there)
 
     def complete(self) -> None:
         """Everything that can fail before a name is taken."""
@@ -171,7 +175,7 @@ class _Begun:
             os.replace(self.temporary, self.target)
             _flush_folder(self.target.parent)
         else:
-            with self.temporary.open("rb") as source, self.path.open("wb") as sink:
+            with self.temporary.open("rb") as source, self.path.open("ab") as sink:
                 shutil.copyfileobj(source, sink)
 
 
@@ -179,7 +183,7 @@ class _Begun:
 def _begun(path: Path) -> Iterator[_Begun]:
     target, there = Path(os.path.realpath(path)), _status_of(path)
     with ExitStack() as stack:
-        if there is None or stat.S_ISREG(there.st_mode):
+        if _is_replaced(path, there):
             if there is not None and not os.access(target, os.W_OK):
                 raise PermissionError(errno.EACCES, "it is protected against writing")
             temporary = _beside(target)
@@ -189,6 +193,14 @@ def _begun(path: Path) -> Iterator[_Begun]:
             folder = stack.enter_context(tempfile.TemporaryDirectory())
             temporary = _beside(Path(folder) / target.name)
         yield _Begun(path, target, there, temporary)
+
+
+def _is_replaced(path: Path, there: os.stat_result | None) -> bool:
+    """Whether a file takes the place of what is there. A file that somebody has open by the name of
+    a device, such as /dev/stderr, is not replaced: its lines would go to one without a name."""
+    if there is None:
+        return True
+    return stat.S_ISREG(there.st_mode) and Path(os.path.abspath(path)).parts[:2] not in _OPEN
 
 
 def _flush(path: Path) -> None:

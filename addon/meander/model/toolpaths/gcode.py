@@ -29,6 +29,7 @@ _COMMANDS = re.compile(r"[!?~]|[^\t -~]")
 _COMMENT = re.compile(r"\(([^()]*)\)|;(.*)")
 
 _UNIT_WORDS = {"mm": "G21 ; millimetres", "in": "G20 ; inches"}
+_UNIT = re.compile(r"(?<![A-Z])G0*(2[01])(?![\d.])", re.IGNORECASE)
 _DECIMALS = {"mm": 4, "in": 6}
 
 # Name, label and what it is, of tools and of controllers.
@@ -156,6 +157,7 @@ def gcode_pieces(
     writer.line(f"; {strands}, length {drawing.length:.6g} {drawing.unit}{over}")
     writer.line(_UNIT_WORDS[drawing.unit])
     for line in words.head if head is None else head:
+        _refuse_unit(line, drawing.unit)
         writer.line(line)
     writer.line("G90 ; absolute positions")
     if motion.extrusion > 0.0:
@@ -219,6 +221,16 @@ def own_line(line: str, place: str) -> str:
         )
     said = " ".join(comment for comment in comments if comment)
     return f"{words} ; {said}".strip() if said else words
+
+
+def _refuse_unit(line: str, unit: str) -> None:
+    """Raises FileError for a line of a head that has all behind it read in another unit."""
+    for code in _UNIT.findall(_COMMENT.sub("", line)):
+        if f"G{code}" != _UNIT_WORDS[unit][:3]:
+            raise FileError(
+                f"the header says G{code}, but the drawing is in {_UNIT_WORDS[unit][6:]}; leave "
+                "it out, or choose the other unit"
+            )
 
 
 class _Writer:
