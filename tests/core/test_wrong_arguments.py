@@ -4,13 +4,15 @@
 from __future__ import annotations
 
 import dataclasses
+import inspect
+import re
 from collections.abc import Callable
 from pathlib import Path
 
 import geometry
 import numpy as np
 import pytest
-from conftest import of_python_package
+from conftest import REPOSITORY, of_python_package
 from meander import core
 from meander.model.files.whole import FileError
 from sentences import assert_sentence
@@ -153,3 +155,23 @@ def test_a_brightness_that_is_none_is_one_sentence(light: object) -> None:
 def test_a_path_may_be_of_bytes(flow: core.Flow, tmp_path: Path) -> None:
     _write_cut(bytes(tmp_path / "cut.obj"), core.cut_surface(flow))
     assert (tmp_path / "cut.obj").is_file()
+
+
+def test_lists_are_taken_wherever_arrays_are() -> None:
+    """Also in the eyes of what checks types."""
+    takers = [core.Seed, core.SurfaceOptions, core.Surface, core.Flow]
+    module = (REPOSITORY / "python" / "meander" / "__init__.py").read_text(encoding="utf-8")
+    public = re.findall(r'^    "(\w+)",$', module, re.MULTILINE)
+    takers += [getattr(core, name) for name in public if inspect.isfunction(vars(core).get(name))]
+    assert core.find_closest in takers and core.automatic_spacing in takers
+    takers += [method for kind in (core.Surface, core.Flow) for method in vars(kind).values()]
+    for taker in takers:
+        if callable(taker) and getattr(taker, "__name__", "_")[0] != "_":
+            for parameter in inspect.signature(taker).parameters.values():
+                assert "NDArray" not in str(parameter.annotation), (taker, parameter)
+    seed = core.Seed([[0.2, 0.2, 0.0], [0.8, 0.8, 0.0]], [0, 2], [0], fixed=[1, 1], guides=[0])
+    assert seed.points.shape == (2, 3) and seed.guides.tolist() == [0]
+    faces = geometry.grid(4).faces.tolist()
+    mask = core.SurfaceOptions(face_mask=[True] * len(faces), polygons=list(range(len(faces))))
+    with core.Surface(geometry.grid(4).vertices.tolist(), faces, mask) as surface:
+        core.Flow(surface, OPTIONS, seed, [1.0] * surface.vertex_count).close()

@@ -57,6 +57,14 @@ def checked_array(name: str, value: ArrayLike, dtype: type, columns: int | None)
     return np.ascontiguousarray(array, dtype=dtype)
 
 
+def as_array(value: Any) -> Any:
+    """A list as an array; what is none is left as it is, for `checked_array` to refuse."""
+    try:
+        return value if value is None else np.asarray(value)
+    except ValueError:
+        return value
+
+
 def narrow_offsets(offsets: NDArray[np.uint64]) -> NDArray[np.uint32]:
     """Offsets as hosts have them, in 32 bits."""
     if offsets[-1] > np.iinfo(np.uint32).max:

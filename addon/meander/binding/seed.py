@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from .abi import SeedRecord, Status
 from .calls import prepared
 from .errors import MeanderError
-from .handle import address_of, checked_array
+from .handle import address_of, as_array, checked_array
 from .named import number_of, only_its_names, refuse_other, switch_of
 
 
@@ -39,6 +39,20 @@ class Seed:
     guides: NDArray[np.uint8] | None = None
     loops: bool = False
     max_distance: float = 0.0
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        offsets: ArrayLike,
+        closed: ArrayLike,
+        fixed: ArrayLike | None = None,
+        guides: ArrayLike | None = None,
+        loops: bool = False,
+        max_distance: float = 0.0,
+    ) -> None:
+        self.points, self.offsets, self.closed = map(as_array, (points, offsets, closed))
+        self.fixed, self.guides = as_array(fixed), as_array(guides)
+        self.loops, self.max_distance = loops, max_distance
 
 
 def seed_record(seed: Seed) -> tuple[SeedRecord, tuple[NDArray[Any], ...]]:

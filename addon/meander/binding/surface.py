@@ -23,7 +23,7 @@ from .context import Context, pointer_of
 from .cost import Extent
 from .elsewhere import mesh_arrays
 from .errors import MeanderError
-from .handle import Handle, address_of, checked_array, chosen, created, narrow_offsets
+from .handle import Handle, address_of, as_array, checked_array, chosen, created, narrow_offsets
 from .mesh_search import Closest, _closest
 from .named import number_of, only_its_names, refuse_other, switch_of, whole_of
 from .native_library import native
@@ -65,14 +65,30 @@ class SurfaceOptions:
     drop_doubled: bool = False
     polygons: NDArray[np.uint32] | None = None
 
+    def __init__(
+        self,
+        merge_distance: float = 0.0,
+        drop_degenerate: bool = False,
+        split_bow_ties: bool = False,
+        cut_non_manifold: bool = False,
+        face_mask: ArrayLike | None = None,
+        vertex_mask: ArrayLike | None = None,
+        mask_threshold: float = 0.0,
+        make_manifold: bool = False,
+        weld_distance: float = 0.0,
+        smallest_part: float = 0.0,
+        drop_doubled: bool = False,
+        polygons: ArrayLike | None = None,
+    ) -> None:
+        self.merge_distance, self.weld_distance = merge_distance, weld_distance
+        self.drop_degenerate, self.split_bow_ties = drop_degenerate, split_bow_ties
+        self.cut_non_manifold, self.make_manifold = cut_non_manifold, make_manifold
+        self.face_mask, self.polygons = as_array(face_mask), as_array(polygons)
+        self.vertex_mask, self.mask_threshold = as_array(vertex_mask), mask_threshold
+        self.smallest_part, self.drop_doubled = smallest_part, drop_doubled
 
-_SWITCHES = (
-    "drop_degenerate",
-    "split_bow_ties",
-    "cut_non_manifold",
-    "make_manifold",
-    "drop_doubled",
-)
+
+_SWITCHES = "drop_degenerate split_bow_ties cut_non_manifold make_manifold drop_doubled".split()
 _NUMBERS = ("merge_distance", "weld_distance", "smallest_part", "mask_threshold")
 
 
