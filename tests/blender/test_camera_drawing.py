@@ -520,7 +520,15 @@ def test_the_command_draws_the_same(tmp_path: Path) -> None:
         (("--margin", "105"), "the margins leave nothing of"),
         (("--output", "a.pdf"), "is no .svg file"),
         (("--camera", "Nobody"), "has no object 'Nobody'; give the name of a camera"),
-        (("--input", "none.blend"), "is no .blend file that Blender"),
+        (("--input", "none.blend"), "--input none.blend does not exist; check the path"),
+        (("--input", __file__), "is no .blend file that Blender"),
+        (("--input", "/"), "is a folder; name a file in it"),
+        (("--input", ""), "it is empty; give the name of a file"),
+        (("--output", "none/a.svg"), "the folder of --output none/a.svg does not exist"),
+        (("--output", f"{'x' * 300}.svg"), "cannot be used (File name too long)"),
+        (("--report", "/"), "--report / is a folder; give a file name"),
+        (("--report", "none/a.json"), "the folder of --report none/a.json does not exist"),
+        (("--sheet", "a4"), "is one page; give a larger --paper"),
         (("--spacing", "0"), "is out of range"),
         (("--tone", "eye"), "--tone and --spacing are both given; choose one"),
         (("--darkest", "0.5"), "--darkest is for --tone; give both or none"),
@@ -535,6 +543,19 @@ def test_the_command_refuses(
     said = capsys.readouterr().err
     assert sentence in said and said.count("\n") == 1
     assert not output.exists()
+
+
+def test_the_command_writes_over_nothing_that_it_reads(
+    tmp_path: Path, capsys: pytest.CaptureFixture
+) -> None:
+    scene, output = saved(tmp_path), tmp_path / "a.svg"
+    before = scene.read_bytes()
+    given = ["--output", str(output), "--spacing", "8", "--report"]
+    for more in (["--input", str(scene)], []):  # the file that is open, too
+        for report, words in ((scene, "overwrite the scene"), (output, "overwrite --output")):
+            assert draw.main([*given, str(report), *more]) == 2
+            assert words in capsys.readouterr().err
+    assert scene.read_bytes() == before and not output.exists()
 
 
 def test_the_command_draws_the_light(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:

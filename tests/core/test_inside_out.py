@@ -18,6 +18,25 @@ def turned(mesh: geometry.Mesh) -> geometry.Mesh:
     return geometry.Mesh(mesh.vertices, mesh.faces[:, ::-1])
 
 
+@pytest.mark.parametrize(
+    ("name", "more", "code"),
+    [("a.obj", [], 2), ("a.svg", [], 2), ("a.dxf", ["--layout", "top"], 2), ("a.gcode", [], 2)]
+    + [("a.xmodel", [], 2), ("a.usda", [], 0), ("a.json", [], 0), ("a.yaml", [], 0)]
+    + [("a.gcode", ["--layer-offset", "1"], 0), ("a.obj", ["--cut", "c.obj"], 0)],
+)
+def test_what_has_no_normals_is_not_turned(
+    name: str, more: list, code: int, tmp_path: Path, monkeypatch, capsys
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    mesh = geometry.write_obj(tmp_path / "mesh.obj", geometry.icosphere(1))
+    given = ["--input", mesh.name, "--output", name, "--spacing", "0.6", "--iterations", "1"]
+    assert batch.main([*given, "--outward", "--quiet", *more]) == code
+    if code:
+        said = capsys.readouterr().err.strip()
+        assert_sentence(said)
+        assert "--outward turns normals" in said
+
+
 def beside(one: geometry.Mesh, other: geometry.Mesh, far: float = 5.0) -> geometry.Mesh:
     return geometry.Mesh(
         np.concatenate([one.vertices, other.vertices + [far, 0.0, 0.0]]),

@@ -50,6 +50,7 @@ TRIES = """
 --output out.svg --begin-at 0 0 0
 --output none/out.obj
 --output out.obj/
+--outward
 --output out.gcode --layout top --header inches.txt
 --output sheet.obj
 --output long

@@ -332,6 +332,7 @@ def test_sheets_with_nothing_on_them_are_said_and_not_written(tmp_path, capsys) 
     [
         ("out.obj", ("--sheet", "a4"), "does nothing for an --output of kind .obj"),
         ("out.dst", ("--sheet", "a4"), "does nothing for an --output of kind .dst"),
+        ("out.pes", ("--sheet", "a4"), "give a --size that fits into the hoop"),
         ("out.dxf", ("--sheet", "a4"), "flat; give a --layout such as top"),
         ("out.svg", ("--sheet-margin", "3"), "give both or none"),
         ("out.svg", ("--sheet", "a4", "--sheet-margin", "105"), "leaves nothing of a sheet of 210"),

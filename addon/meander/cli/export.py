@@ -103,6 +103,8 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
     of_sheets = sheets.problem_of(arguments, kind, _values(arguments))
     if of_sheets is not None:
         return of_sheets
+    if arguments.outward and not _has_normals(arguments, kind):
+        return "--outward turns normals, and nothing in the --output goes by them; leave it out"
     for option, wanted in (("begin-at", arguments.begin_at), ("go-on-from", arguments.go_on_from)):
         if wanted is None:
             continue
@@ -132,6 +134,18 @@ def _idle(arguments: argparse.Namespace) -> str:
         return ""
     setting, other, choices = found
     return f"{names[setting]} is for {' '.join([names[other], choices]).strip()}; give both or none"
+
+
+def _has_normals(arguments: argparse.Namespace, kind: export.Format | None) -> bool:
+    """Whether what is written depends on which side of the surface is outside."""
+    if arguments.cut is not None or arguments.direction_angle is not None:
+        return True
+    if kind is None:
+        return export.suffix_of(arguments.output) != ".obj"
+    if kind.name == "GCODE":
+        values = _values(arguments)
+        return values["layer_offset"] != 0.0 or values["layers"] > 1
+    return kind.name in ("USD", "GLB", "ROS") or arguments.visible_only
 
 
 def _has_poses(arguments: argparse.Namespace) -> bool:

@@ -17,6 +17,9 @@ from ..model.toolpaths.sheets import MARGIN, Paper
 from .place import Place
 from .values import paper, reader
 
+# What is stitched in one piece.
+_HOOPS = (".dst", ".pes")
+
 
 def add_options(group: argparse._ArgumentGroup) -> None:
     group.add_argument(
@@ -59,7 +62,8 @@ def problem_of(
         return None
     suffix = export.suffix_of(arguments.output)
     if kind is None or "arc_tolerance" not in kind.options:
-        return f"--sheet does nothing for an --output of kind {suffix}; leave it out"
+        fits = ", and give a --size that fits into the hoop" if suffix in _HOOPS else ""
+        return f"--sheet does nothing for an --output of kind {suffix}; leave it out{fits}"
     if not export.takes_sheets(kind, values):
         return "--sheet is for drawings that are flat; give a --layout such as top"
     if "output" in getattr(arguments, "streams", ()):

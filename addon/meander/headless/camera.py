@@ -15,9 +15,11 @@ from ..cli.exit_code import exit_code_of, while_heard
 from ..cli.flags import add_flags
 from ..cli.limits import add_options as add_limits
 from ..cli.limits import refuse_large
-from ..cli.values import BadInput, Parser, index, paper, reader
+from ..cli.places import asked, target_of
+from ..cli.values import BadInput, Parser, file_name, index, paper, reader
 from ..model.camera import PAPERS, SPACING, Page
 from ..model.estimate import described
+from ..model.files.whole import are_one, why_no_file
 from ..model.options.export import LINE_WIDTH
 from ..model.options.page import line_width, margin
 from ..model.options.tone import COMMON
@@ -45,9 +47,10 @@ def parser() -> Parser:
         "page as an SVG file with a layer for each object, without what is hidden.",
     )
     add = made.add_argument
-    add("--input", type=Path, metavar="SCENE.blend", help="default: the file that is open")
-    add("--output", type=Path, required=True, metavar="OUT.svg", help="the page")
-    add("--report", type=Path, metavar="OUT.json", help="what has become of each object")
+    add("--input", type=file_name, metavar="SCENE.blend", help="default: the file that is open")
+    add("--output", type=file_name, required=True, metavar="OUT.svg", help="the page")
+    add("--report", type=file_name, metavar="OUT.json", help="what has become of each object")
+    add("--sheet", type=_one_page, help=argparse.SUPPRESS)  # of other drawings
     add(
         "--spacing",
         type=reader(float, least=0.05, greatest=1000.0),
@@ -88,6 +91,7 @@ def _draw(arguments: argparse.Namespace) -> None:
         raise BadInput("the margins leave nothing of the page; choose a smaller --margin")
     if arguments.output.suffix.lower() != ".svg":
         raise BadInput(f"--output {arguments.output} is no .svg file")
+    _check_files(arguments)
     tone = _tone(arguments)
     if arguments.input is not None:
         _open(arguments.input)
@@ -131,6 +135,32 @@ def _draw(arguments: argparse.Namespace) -> None:
     say(told)
     for written in filter(None, (arguments.output, arguments.report)):
         say(f"wrote {written}")
+
+
+def _check_files(arguments: argparse.Namespace) -> None:
+    """Refuses a scene that is not there, and outputs that cannot be, before anything is drawn."""
+    read = arguments.input
+    if read is not None:
+        fault = asked(why_no_file, "--input", read)
+        if fault:
+            raise BadInput(f"--input {read} {fault}")
+    elif bpy.data.filepath:
+        read = Path(bpy.data.filepath)
+    taken = {} if read is None else {"the scene": read}
+    for option, path in (("--output", arguments.output), ("--report", arguments.report)):
+        if path is None:
+            continue
+        target = target_of(option, path)
+        for other, other_path in taken.items():
+            if are_one(target, other_path):
+                raise BadInput(f"{option} would overwrite {other} {path}; choose another name")
+        taken[option] = path
+
+
+def _one_page(_text: str) -> None:
+    raise argparse.ArgumentTypeError(
+        "what a camera sees is one page; give a larger --paper in its place"
+    )
 
 
 def _tone(arguments: argparse.Namespace) -> Tone | None:
