@@ -159,7 +159,7 @@ void print_scaling_fit(const std::vector<Row>& rows) {
   }
   for (const auto& [key, points] : fits) {
     if (points.size() < 2) continue;
-    const auto exponent = [&](double (*value)(const Measurement&)) {
+    const auto exponent = [&, &points = points](double (*value)(const Measurement&)) {
       double x = 0, y = 0, xx = 0, xy = 0;
       for (const Row* row : points) {
         const double a = std::log(row->median().nodes), b = std::log(row->median_of(value));

@@ -124,8 +124,8 @@ Emptiness::Size Emptiness::compare(const SurfacePoint& p, double low, double hig
   if (!(gap.radius < most) || straight(p) || reaches(p, gap.radius, segment, node)) {
     return gap.radius < low ? Size::kBelow : Size::kBetween;
   }
-  const auto is_below = [&](double radius) {
-    return gap.radius < radius && (most < radius || any_on_surface(p, nodes_[node], radius));
+  const auto is_below = [&, distance = gap.radius, &nearest = nodes_[node]](double radius) {
+    return distance < radius && (most < radius || any_on_surface(p, nearest, radius));
   };
   if (is_below(low)) return Size::kBelow;
   return low < high && is_below(high) ? Size::kBetween : Size::kAbove;
