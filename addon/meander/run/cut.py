@@ -11,6 +11,7 @@ import numpy as np
 from .. import core
 from ..model import cut as cuts
 from ..model.opening import open_flow
+from ..scene.columns import column
 from ..scene.cut import Skin, keep_shading, skin_of, write_cut
 from ..scene.errors import DataError
 from .plan import Plan, plan_of
@@ -105,8 +106,7 @@ def paint(thing: bpy.types.Object, material: bpy.types.Material) -> None:
 def paint_sides(thing: bpy.types.Object, materials: list[bpy.types.Material]) -> None:
     """Gives a cut's two sides two materials."""
     mesh = thing.data
-    sides = np.empty(len(mesh.polygons), dtype=np.int32)
-    mesh.attributes["side"].data.foreach_get("value", sides)
+    sides = column(mesh.attributes["side"].data, "value", kind=np.int32)
     _paint(mesh, materials, (sides < 0).astype(np.int32))
 
 

@@ -19,6 +19,7 @@ from .. import core
 from ..model.options.option import as_typed
 from ..model.options.table import OF_THE_FLOW
 from ..scene.alignment import alignment_of
+from ..scene.columns import column
 from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
 from ..scene.identity import Key
@@ -169,7 +170,6 @@ def _digest(result: bpy.types.Object) -> str:
     """Another text for other points."""
     digest = hashlib.sha1(usedforsecurity=False)
     for spline in result.data.splines:
-        buffer = np.empty(4 * len(spline.points), dtype=np.float32)
-        spline.points.foreach_get("co", buffer)
-        digest.update(buffer.tobytes() + bytes([spline.use_cyclic_u]))
+        points = column(spline.points, "co", 4)
+        digest.update(points.tobytes() + bytes([spline.use_cyclic_u]))
     return digest.hexdigest()

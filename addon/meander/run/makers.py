@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import bpy
-import numpy as np
 
 from ..model.cut import light_colours, one_side
 from ..model.maze import Doors, Maze, NoMaze
 from ..scene import assets
+from ..scene.columns import column
 from ..scene.cut import UV_MAP, sharpen_line
 from ..scene.errors import DataError
 from ..scene.look import set_value
@@ -123,10 +123,8 @@ def _ribbon(cut: CutResult, name: str, values: Values) -> Made:
     made = cut.make(name)
     if material is not None:
         paint(made, material)
-    layer = made.data.uv_layers[UV_MAP].data
-    uv = np.empty(2 * len(layer), dtype=np.float32)
-    layer.foreach_get("uv", uv)
-    colour_corners(made.data, light_colours(uv.reshape(-1, 2)))
+    uv = column(made.data.uv_layers[UV_MAP].data, "uv", 2)
+    colour_corners(made.data, light_colours(uv))
     return [made], ""
 
 

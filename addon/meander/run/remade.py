@@ -17,6 +17,7 @@ import bpy
 import numpy as np
 
 from .. import core
+from ..scene.columns import column
 from ..scene.drawn_line import digest_of_curve, digest_of_points
 from ..scene.errors import DataError
 from ..scene.look import set_value, value_of
@@ -158,11 +159,8 @@ def _digest(data: bpy.types.ID) -> str:
     """Another text for other points."""
     if isinstance(data, bpy.types.Curve):
         return digest_of_curve(data)
-    places = np.empty(3 * len(data.vertices), dtype=np.float32)
-    data.vertices.foreach_get("co", places)
-    corners = np.empty(len(data.loops), dtype=np.int32)
-    data.loops.foreach_get("vertex_index", corners)
-    return digest_of_points([places, corners])
+    corners = column(data.loops, "vertex_index", kind=np.int32)
+    return digest_of_points([column(data.vertices, "co", 3), corners])
 
 
 def follow(result: bpy.types.Object, context: bpy.types.Context) -> str:

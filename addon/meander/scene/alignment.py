@@ -21,13 +21,8 @@ from ..model.alignment import (
     uv_lines,
 )
 from ..model.density import Choice
-from .attributes import (
-    is_color,
-    is_number,
-    is_point_vector,
-    named_attribute,
-    uv_of,
-)
+from .attributes import is_color, is_number, is_point_vector, named_attribute, uv_of
+from .columns import column
 from .curve_reader import strands_of_curve
 from .density import painted_values
 from .errors import DataError
@@ -206,9 +201,8 @@ def _vectors(
     attribute = named_attribute(
         mesh, alignment.name, surface, is_point_vector, "vector attribute of points"
     )
-    vectors = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-    attribute.data.foreach_get("vector", vectors)
-    return vectors.reshape(-1, 3).astype(np.float64) @ matrix[:3, :3].T
+    vectors = column(attribute.data, "vector", 3)
+    return vectors.astype(np.float64) @ matrix[:3, :3].T
 
 
 def _lines_of_uv_map(
@@ -216,14 +210,9 @@ def _lines_of_uv_map(
 ) -> NDArray[np.float64]:
     """At every vertex the mean line of its triangles along which the other coordinate stays."""
     mesh.calc_loop_triangles()
-    corners = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
-    mesh.loop_triangles.foreach_get("loops", corners)
-    faces = np.empty_like(corners)
-    mesh.loop_triangles.foreach_get("vertices", faces)
-    faces = faces.reshape(-1, 3)
-    uv = uv_of(mesh, alignment.name, surface).astype(np.float64)[corners.reshape(-1, 3)]
-    positions = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-    mesh.vertices.foreach_get("co", positions)
-    places = to_world(positions.reshape(-1, 3), matrix)[faces]
+    corners = column(mesh.loop_triangles, "loops", 3, np.int32)
+    faces = column(mesh.loop_triangles, "vertices", 3, np.int32)
+    uv = uv_of(mesh, alignment.name, surface).astype(np.float64)[corners]
+    places = to_world(column(mesh.vertices, "co", 3), matrix)[faces]
     lines = uv_lines(places, uv, "UV".index(alignment.choice))
     return mean_lines(lines, faces, len(mesh.vertices))

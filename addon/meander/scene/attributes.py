@@ -9,6 +9,7 @@ import bpy
 import numpy as np
 from numpy.typing import NDArray
 
+from .columns import column, vertices_of_corners
 from .errors import DataError
 from .settings import surface_of
 
@@ -123,8 +124,7 @@ def uv_of(mesh: bpy.types.Mesh, name: str, surface: bpy.types.Object) -> NDArray
     """A UV map at the corners of the faces, (n, 2), of uv_layer_of(). Raises DataError also where a
     place in it is not a number."""
     layer = uv_layer_of(mesh, name, surface)
-    uv = np.empty(2 * len(layer.data), dtype=np.float32)
-    layer.data.foreach_get("uv", uv)
+    uv = column(layer.data, "uv", 2)
     bad = np.flatnonzero(~np.isfinite(uv))
     if len(bad):
         vertex = int(vertices_of_corners(mesh)[bad[0] // 2])
@@ -132,25 +132,11 @@ def uv_of(mesh: bpy.types.Mesh, name: str, surface: bpy.types.Object) -> NDArray
             f"The UV map '{layer.name}' is not a finite number at vertex {vertex} of "
             f"'{surface.name}'; unwrap the mesh again, or choose another map"
         )
-    return uv.reshape(-1, 2)
+    return uv
 
 
 def numbers_of(attribute: bpy.types.Attribute) -> NDArray[np.float64]:
     """The values of an attribute of which is_number() is true."""
     kind = _NUMBERS[attribute.data_type]
-    values = np.empty(len(attribute.data), dtype=np.int32 if kind is np.int8 else kind)
-    attribute.data.foreach_get("value", values)
+    values = column(attribute.data, "value", kind=np.int32 if kind is np.int8 else kind)
     return values.astype(np.float64)
-
-
-def vertices_of_corners(mesh: bpy.types.Mesh) -> NDArray[np.int32]:
-    vertices = np.empty(len(mesh.loops), dtype=np.int32)
-    mesh.loops.foreach_get("vertex_index", vertices)
-    return vertices
-
-
-def corner_counts(mesh: bpy.types.Mesh) -> NDArray[np.int32]:
-    """How many corners each polygon has."""
-    counts = np.empty(len(mesh.polygons), dtype=np.int32)
-    mesh.polygons.foreach_get("loop_total", counts)
-    return counts

@@ -14,6 +14,8 @@ from typing import Any
 import bpy
 import numpy as np
 
+from .columns import column
+
 # ------------------------------------------------------------------------------------------------
 # Interface
 
@@ -127,9 +129,8 @@ def strokes_of_layer(layer: Any) -> list[tuple[np.ndarray, bool]] | None:
         frame = layer.active_frame
         found = []
         for stroke in frame.strokes if frame is not None else ():
-            points = np.empty(3 * len(stroke.points), dtype=np.float32)
-            stroke.points.foreach_get("co", points)
-            found.append((points.reshape(-1, 3), stroke.use_cyclic))
+            points = column(stroke.points, "co", 3)
+            found.append((points, stroke.use_cyclic))
         return found
     frame = layer.current_frame()
     drawing = frame.drawing if frame is not None else None
@@ -137,12 +138,10 @@ def strokes_of_layer(layer: Any) -> list[tuple[np.ndarray, bool]] | None:
         return []
     if any(stroke.curve_type != 1 for stroke in drawing.strokes):
         return None
-    offsets = np.empty(len(drawing.strokes) + 1, dtype=np.int32)
-    drawing.curve_offsets.foreach_get("value", offsets)
-    points = np.empty(3 * offsets[-1], dtype=np.float32)
-    drawing.attributes["position"].data.foreach_get("vector", points)
+    offsets = column(drawing.curve_offsets, "value", kind=np.int32)
+    points = column(drawing.attributes["position"].data, "vector", 3)
     cyclic = [stroke.cyclic for stroke in drawing.strokes]
-    return list(zip(np.split(points.reshape(-1, 3), offsets[1:-1]), cyclic, strict=True))
+    return list(zip(np.split(points, offsets[1:-1]), cyclic, strict=True))
 
 
 def layer_matrices(layer: Any) -> tuple[np.ndarray, np.ndarray] | None:

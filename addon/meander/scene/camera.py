@@ -13,7 +13,7 @@ from mathutils.bvhtree import BVHTree
 
 from ..model.camera import CameraPage, Page
 from ..model.geometry.clipped_mesh import Triangles
-from .attributes import corner_counts, vertices_of_corners
+from .columns import column, corner_counts, vertices_of_corners
 from .errors import DataError
 from .evaluated import instances_of, surface_mesh
 from .fillable import has_faces, is_result
@@ -172,33 +172,25 @@ def _triangles(shown: bpy.types.Object, matrix: np.ndarray) -> Triangles:
 
 def _triangles_of_mesh(mesh: bpy.types.Mesh, matrix: np.ndarray) -> Triangles:
     mesh.calc_loop_triangles()
-    coordinates = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-    mesh.vertices.foreach_get("co", coordinates)
-    corners = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
-    mesh.loop_triangles.foreach_get("vertices", corners)
-    if not len(corners):
+    faces = column(mesh.loop_triangles, "vertices", 3, np.int32).astype(np.int64)
+    if not len(faces):
         return _NOTHING
-    faces = corners.reshape(-1, 3).astype(np.int64)
     if np.linalg.det(matrix[:3, :3]) < 0.0:
         faces = faces[:, ::-1]
-    points = to_world(coordinates.reshape(-1, 3), matrix)
+    points = to_world(column(mesh.vertices, "co", 3), matrix)
     return Triangles(points, faces, normals=_smooth_normals(mesh, matrix))
 
 
 def _smooth_normals(mesh: bpy.types.Mesh, matrix: np.ndarray) -> np.ndarray | None:
     """The normals of vertices all whose faces are shaded smooth, and 0 at others; None: of none."""
-    smooth = np.empty(len(mesh.polygons), dtype=bool)
-    mesh.polygons.foreach_get("use_smooth", smooth)
+    smooth = column(mesh.polygons, "use_smooth", kind=bool)
     if not smooth.any() or getattr(mesh, "use_auto_smooth", False):  # by angles, of Blender 3.4
         return None
-    normals = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-    mesh.vertices.foreach_get("normal", normals)
-    found = normals.reshape(-1, 3).astype(np.float64) @ np.linalg.inv(matrix[:3, :3])
-    sharp = np.empty(len(mesh.edges), dtype=bool)
-    mesh.edges.foreach_get("use_edge_sharp", sharp)
-    ends = np.empty(2 * len(mesh.edges), dtype=np.int32)
-    mesh.edges.foreach_get("vertices", ends)
-    found[ends.reshape(-1, 2)[sharp].ravel()] = 0.0
+    normals = column(mesh.vertices, "normal", 3)
+    found = normals.astype(np.float64) @ np.linalg.inv(matrix[:3, :3])
+    sharp = column(mesh.edges, "use_edge_sharp", kind=bool)
+    ends = column(mesh.edges, "vertices", 2, np.int32)
+    found[ends[sharp].ravel()] = 0.0
     found[vertices_of_corners(mesh)[np.repeat(~smooth, corner_counts(mesh))]] = 0.0
     return found
 

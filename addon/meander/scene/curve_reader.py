@@ -9,6 +9,7 @@ import numpy as np
 
 from .. import core
 from ..model.geometry.chains import branching, chains_of
+from .columns import column
 from .errors import DataError
 from .evaluated import evaluated_copy, is_evaluated, matrix_of, mesh_of
 from .grease_pencil import is_grease_pencil, strokes_of
@@ -146,9 +147,7 @@ def _poly_splines(curve: bpy.types.Curve) -> tuple[np.ndarray, np.ndarray, np.nd
     offsets = np.cumsum([0] + [len(spline.points) for spline in strands])
     points = np.empty((offsets[-1], 4), dtype=np.float32)
     for spline, begin, end in zip(strands, offsets[:-1], offsets[1:], strict=True):
-        buffer = np.empty(4 * (end - begin), dtype=np.float32)
-        spline.points.foreach_get("co", buffer)
-        points[begin:end] = buffer.reshape(-1, 4)
+        points[begin:end] = column(spline.points, "co", 4)
     closed = np.array([spline.use_cyclic_u for spline in strands], dtype=bool)
     return points[:, :3], offsets, closed
 
@@ -195,11 +194,9 @@ def _edges_of(
                 f"The modifiers of '{name}' turn it into a surface; choose a curve without them as "
                 "the seed"
             )
-        points = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-        mesh.vertices.foreach_get("co", points)
-        edges = np.empty(2 * len(mesh.edges), dtype=np.int32)
-        mesh.edges.foreach_get("vertices", edges)
-    return points.reshape(-1, 3), edges.reshape(-1, 2), matrix
+        points = column(mesh.vertices, "co", 3)
+        edges = column(mesh.edges, "vertices", 2, np.int32)
+    return points, edges, matrix
 
 
 def _chains(

@@ -14,6 +14,7 @@ from mathutils.kdtree import KDTree
 from .. import core
 from ..model.cut import along_shares, ribbon_uv, smooth_normals
 from .blender_versions import keep_custom_normals
+from .columns import column
 from .curve_writer import place_beside
 from .evaluated import surface_mesh
 from .transforms import mean_scale, to_local
@@ -67,19 +68,13 @@ def skin_of(surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Skin:
     """Reads a surface's materials, UV maps and shading. Raises DataError for what is no mesh."""
     with surface_mesh(surface, depsgraph) as (mesh, matrix):
         corners = loops_of(mesh)
-        polygons = np.empty(len(corners), dtype=np.int32)
-        mesh.loop_triangles.foreach_get("polygon_index", polygons)
-        materials = np.empty(len(mesh.polygons), dtype=np.int32)
-        mesh.polygons.foreach_get("material_index", materials)
-        smooth = np.empty(len(mesh.polygons), dtype=bool)
-        mesh.polygons.foreach_get("use_smooth", smooth)
-        normals = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-        mesh.vertices.foreach_get("normal", normals)
+        polygons = column(mesh.loop_triangles, "polygon_index", kind=np.int32)
+        materials = column(mesh.polygons, "material_index", kind=np.int32)
+        smooth = column(mesh.polygons, "use_smooth", kind=bool)
+        normals = column(mesh.vertices, "normal", 3)
         uv_maps = []
         for layer in mesh.uv_layers:
-            values = np.empty(2 * len(mesh.loops), dtype=np.float32)
-            layer.data.foreach_get("uv", values)
-            uv_maps.append((layer.name, values.reshape(-1, 2)))
+            uv_maps.append((layer.name, column(layer.data, "uv", 2)))
         slots = [slot.material for slot in surface.material_slots]
     if np.linalg.det(matrix[:3, :3]) < 0.0:  # as triangles_of() turns them
         corners = corners[:, ::-1]
@@ -87,7 +82,7 @@ def skin_of(surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Skin:
         corners,
         materials[polygons],
         smooth[polygons],
-        normals.reshape(-1, 3).astype(np.float64),
+        normals.astype(np.float64),
         uv_maps,
         slots,
     )
@@ -188,8 +183,7 @@ def _points_on_line(edit: bmesh.types.BMesh) -> list[bmesh.types.BMVert]:
 
 
 def _mark_seams(mesh: bpy.types.Mesh, cut: core.CutSurface) -> None:
-    ends = np.empty(2 * len(mesh.edges), dtype=np.int32)
-    mesh.edges.foreach_get("vertices", ends)
+    ends = column(mesh.edges, "vertices", 2, np.int32)
     count = len(cut.positions)
 
     def keys(pairs: np.ndarray) -> np.ndarray:
@@ -220,8 +214,7 @@ def _set_uv(mesh: bpy.types.Mesh, name: str, values: np.ndarray) -> None:
 def sharpen_line(thing: bpy.types.Object) -> None:
     """Lets the two sides of a cut's curve be shaded apart, for what gets a crease there."""
     mesh = thing.data
-    seams = np.empty(len(mesh.edges), dtype=bool)
-    mesh.edges.foreach_get("use_seam", seams)
+    seams = column(mesh.edges, "use_seam", kind=bool)
     mesh.edges.foreach_set("use_edge_sharp", seams)
     keep_custom_normals(mesh, math.pi)
     mesh.update()
@@ -233,11 +226,9 @@ def keep_shading(thing: bpy.types.Object) -> None:
     New vertices inside of a flat face would otherwise make it look flat.
     """
     mesh = thing.data
-    smooth = np.empty(len(mesh.polygons), dtype=bool)
-    mesh.polygons.foreach_get("use_smooth", smooth)
+    smooth = column(mesh.polygons, "use_smooth", kind=bool)
     if not smooth.any():
         return
-    normals = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-    mesh.attributes["surface_normal"].data.foreach_get("vector", normals)
+    normals = column(mesh.attributes["surface_normal"].data, "vector", 3)
     keep_custom_normals(mesh)
-    mesh.normals_split_custom_set_from_vertices(normals.reshape(-1, 3).tolist())
+    mesh.normals_split_custom_set_from_vertices(normals.tolist())

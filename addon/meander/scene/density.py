@@ -31,15 +31,8 @@ from ..model.density import (
 from ..model.field import FieldOn
 from ..model.options.option import as_typed
 from ..model.picture.tone import Tone
-from .attributes import (
-    corner_counts,
-    is_color,
-    is_number,
-    named_attribute,
-    numbers_of,
-    uv_of,
-    vertices_of_corners,
-)
+from .attributes import is_color, is_number, named_attribute, numbers_of, uv_of
+from .columns import column, corner_counts, vertices_of_corners
 from .errors import DataError
 from .evaluated import surface_mesh
 from .meshes import vertex_group_weights
@@ -242,9 +235,8 @@ def _color_values(
 ) -> Values:
     with surface_mesh(surface, depsgraph) as (mesh, _matrix):
         attribute = named_attribute(mesh, choice.name, surface, is_color, "color attribute")
-        colors = np.empty(4 * len(attribute.data), dtype=np.float32)
-        attribute.data.foreach_get("color", colors)  # scene-linear, also of bytes
-        values = luminance(colors.reshape(-1, 4))
+        colors = column(attribute.data, "color", 4)  # scene-linear, also of bytes
+        values = luminance(colors)
         if attribute.domain == "CORNER":
             values = mean_at_vertices(values, vertices_of_corners(mesh), len(mesh.vertices))
     return values

@@ -15,6 +15,7 @@ import bpy
 import numpy as np
 
 from .. import core
+from .columns import column
 from .curve_writer import write_splines
 from .look import modifier_of, set_value, shaping_modifiers, value_of
 from .profile import set_tilt_and_radius
@@ -127,12 +128,7 @@ def _drop_where_changed(thing: bpy.types.Object) -> None:
 
 
 def _positions(curve: bpy.types.Curve) -> list[np.ndarray]:
-    found = []
-    for spline in curve.splines:
-        buffer = np.empty(4 * len(spline.points), dtype=np.float32)
-        spline.points.foreach_get("co", buffer)
-        found.append(buffer.reshape(-1, 4)[:, :3])
-    return found
+    return [column(spline.points, "co", 4)[:, :3] for spline in curve.splines]
 
 
 def _point_count(curve: bpy.types.Curve) -> int:

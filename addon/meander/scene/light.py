@@ -12,6 +12,7 @@ from .. import core
 from ..model.geometry.simplification import Light, light_points
 from ..model.toolpaths import bridges
 from . import points as point_attributes
+from .columns import column
 from .errors import DataError
 from .transforms import to_world, world_matrix
 
@@ -69,12 +70,7 @@ def least_spacing(result: bpy.types.Object) -> float:
 
 
 def _values_of(spline: bpy.types.Spline) -> dict[str, np.ndarray]:
-    values = {}
-    for name, width in _OF_POINTS:
-        buffer = np.empty(width * len(spline.points), dtype=np.float32)
-        spline.points.foreach_get(name, buffer)
-        values[name] = buffer.reshape(-1, width)
-    return values
+    return {name: column(spline.points, name, width) for name, width in _OF_POINTS}
 
 
 def _polylines(

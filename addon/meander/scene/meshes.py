@@ -9,6 +9,7 @@ import bpy
 import numpy as np
 
 from .. import core
+from .columns import column
 from .errors import DataError
 from .evaluated import instances_of, is_evaluated, surface_mesh
 from .fillable import kinds_shown
@@ -31,9 +32,7 @@ def triangles_of(
     """
     with surface_mesh(object, depsgraph) as (mesh, matrix):
         check_invertible(object, matrix)
-        # float32 as stored: asking for float64 converts one value at a time.
-        coordinates = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-        mesh.vertices.foreach_get("co", coordinates)
+        coordinates = column(mesh.vertices, "co", 3)
         indices = vertices_of(mesh)
     if not len(indices):
         shown = kinds_shown(object, depsgraph)
@@ -56,7 +55,7 @@ def triangles_of(
     faces = indices.astype(np.uint32)
     if np.linalg.det(matrix[:3, :3]) < 0.0:
         faces = np.ascontiguousarray(faces[:, ::-1])
-    return to_world(coordinates.reshape(-1, 3), matrix), faces
+    return to_world(coordinates, matrix), faces
 
 
 def polygons_of(
@@ -68,8 +67,7 @@ def polygons_of(
         count = len(mesh.loop_triangles)
         if len(mesh.polygons) == count:
             return None
-        polygons = np.empty(count, dtype=np.int32)
-        mesh.loop_triangles.foreach_get("polygon_index", polygons)
+        polygons = column(mesh.loop_triangles, "polygon_index", kind=np.int32)
     return polygons.astype(np.uint32)
 
 
@@ -101,15 +99,14 @@ def surface_now(
     mesh = evaluated_surface.to_mesh()
     try:
         matrix = world_matrix(evaluated_surface)
-        coordinates = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-        mesh.vertices.foreach_get("co", coordinates)
+        coordinates = column(mesh.vertices, "co", 3)
         indices = vertices_of(mesh)
     finally:
         evaluated_surface.to_mesh_clear()
     faces = indices.astype(np.uint32)
     if np.linalg.det(matrix[:3, :3]) < 0.0:
         faces = np.ascontiguousarray(faces[:, ::-1])
-    return to_world(coordinates.reshape(-1, 3), matrix), faces, matrix
+    return to_world(coordinates, matrix), faces, matrix
 
 
 def in_polygons(
@@ -123,8 +120,7 @@ def in_polygons(
         return error
     with surface_mesh(object, depsgraph) as (mesh, _matrix):
         mesh.calc_loop_triangles()
-        polygons = np.empty(len(mesh.loop_triangles), dtype=np.int32)
-        mesh.loop_triangles.foreach_get("polygon_index", polygons)
+        polygons = column(mesh.loop_triangles, "polygon_index", kind=np.int32)
 
     def named(match: re.Match[str]) -> str:
         return re.sub(r"\d+", lambda number: str(polygons[int(number[0])]), match[0])
@@ -146,9 +142,7 @@ def vertex_group_weights(
         count = len(mesh.vertices)
         attribute = mesh.attributes.get(name)
         if attribute is not None and (attribute.domain, attribute.data_type) == ("POINT", "FLOAT"):
-            values = np.empty(count, dtype=np.float32)
-            attribute.data.foreach_get("value", values)
-            return values.astype(np.float64)
+            return column(attribute.data, "value").astype(np.float64)
         group = object.vertex_groups.get(name)
         if group is None:
             known = ", ".join(f"'{other.name}'" for other in object.vertex_groups)
@@ -168,6 +162,5 @@ def vertex_group_weights(
 def loose_edge_count(surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> int:
     """Edges of the evaluated mesh that no face has."""
     with surface_mesh(surface, depsgraph) as (mesh, _matrix):
-        edges = np.empty(len(mesh.loops), dtype=np.int32)
-        mesh.loops.foreach_get("edge_index", edges)
+        edges = column(mesh.loops, "edge_index", kind=np.int32)
         return len(mesh.edges) - len(np.unique(edges))

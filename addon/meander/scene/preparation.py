@@ -16,6 +16,7 @@ import numpy as np
 from .. import core
 from ..model.preparation import Mask, Repair, Share, seam_width
 from .attributes import is_face_mask
+from .columns import column
 from .errors import DataError
 from .evaluated import evaluated_copy, surface_mesh
 from .linked_settings import settings_of, settings_to_change
@@ -103,8 +104,7 @@ def face_mask(mask: Mask, surface: bpy.types.Object, depsgraph: bpy.types.Depsgr
     """Per triangle of triangles_of(): is it to be filled?"""
     with surface_mesh(surface, depsgraph) as (mesh, _matrix):
         mesh.calc_loop_triangles()
-        polygon = np.empty(len(mesh.loop_triangles), dtype=np.int32)
-        mesh.loop_triangles.foreach_get("polygon_index", polygon)
+        polygon = column(mesh.loop_triangles, "polygon_index", kind=np.int32)
         if mask.source == "MATERIAL":
             chosen = _polygons_of_material(mask.name, surface, mesh)
         else:
@@ -123,8 +123,7 @@ def _polygons_of_material(name: str, surface: bpy.types.Object, mesh: bpy.types.
             f"'{surface.name}' has no material '{name}'; "
             + (f"it has {known}" if known else "assign one to the faces to fill")
         )
-    index = np.empty(len(mesh.polygons), dtype=np.int32)
-    mesh.polygons.foreach_get("material_index", index)
+    index = column(mesh.polygons, "material_index", kind=np.int32)
     index = np.minimum(index, len(names) - 1)  # as Blender draws an index beyond the slots
     return np.array([other == name for other in names], dtype=bool)[index]
 
@@ -132,15 +131,12 @@ def _polygons_of_material(name: str, surface: bpy.types.Object, mesh: bpy.types.
 def _polygons_of_attribute(
     name: str, surface: bpy.types.Object, mesh: bpy.types.Mesh
 ) -> np.ndarray:
-    count = len(mesh.polygons)
     face_map = getattr(surface, "face_maps", {}).get(name)
     if face_map is not None:
         layer = mesh.face_maps.active
         if layer is None:
-            return np.zeros(count, dtype=bool)
-        index = np.empty(count, dtype=np.int32)
-        layer.data.foreach_get("value", index)
-        return index == face_map.index
+            return np.zeros(len(mesh.polygons), dtype=bool)
+        return column(layer.data, "value", kind=np.int32) == face_map.index
     attribute = mesh.attributes.get(name)
     if attribute is None or not is_face_mask(attribute):
         known = ", ".join(
@@ -158,9 +154,8 @@ def _polygons_of_attribute(
             f"'{surface.name}' has no boolean or integer attribute of faces '{name}'; "
             + (f"it has {known}" if known else "add one, or choose another mask")
         )
-    values = np.empty(count, dtype=bool if attribute.data_type == "BOOLEAN" else np.int32)
-    attribute.data.foreach_get("value", values)
-    return values != 0
+    kind = bool if attribute.data_type == "BOOLEAN" else np.int32
+    return column(attribute.data, "value", kind=kind) != 0
 
 
 # What the attributes are called; the first free name is taken.
@@ -172,8 +167,7 @@ def selected_faces(surface: bpy.types.Object) -> np.ndarray | None:
     if surface.type != "MESH" or surface.mode != "EDIT":
         return None
     surface.update_from_editmode()
-    selected = np.empty(len(surface.data.polygons), dtype=bool)
-    surface.data.polygons.foreach_get("select", selected)
+    selected = column(surface.data.polygons, "select", kind=bool)
     return selected if selected.any() else None
 
 
@@ -254,9 +248,8 @@ def locate_faults(surface: bpy.types.Object, radius: float) -> Located:
     """
     mesh: bpy.types.Mesh = surface.data
     triangles = vertices_of(mesh)
-    coordinates = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-    mesh.vertices.foreach_get("co", coordinates)
-    vertices = to_world(coordinates.reshape(-1, 3), world_matrix(surface))
+    coordinates = column(mesh.vertices, "co", 3)
+    vertices = to_world(coordinates, world_matrix(surface))
     if not len(triangles):
         raise DataError(f"'{surface.name}' has no faces; add some, or choose another mesh")
     faults = core.find_faults(
@@ -269,8 +262,7 @@ def locate_faults(surface: bpy.types.Object, radius: float) -> Located:
 
 
 def _located(mesh: bpy.types.Mesh, faults: core.Faults) -> Located:
-    polygons = np.empty(len(mesh.loop_triangles), dtype=np.int32)
-    mesh.loop_triangles.foreach_get("polygon_index", polygons)
+    polygons = column(mesh.loop_triangles, "polygon_index", kind=np.int32)
     names = np.array(core.FAULTS)[faults.kinds]
     of_face = np.isin(names, list(_FACES))
     of_edge = ~(of_face | np.isin(names, list(_VERTICES)))
@@ -291,9 +283,8 @@ def _located(mesh: bpy.types.Mesh, faults: core.Faults) -> Located:
 
 def _edges_between(mesh: bpy.types.Mesh, ends: np.ndarray) -> np.ndarray:
     """The edges of the mesh with these ends (n, 2), each rising; those that it has."""
-    own = np.empty(2 * len(mesh.edges), dtype=np.int32)
-    mesh.edges.foreach_get("vertices", own)
-    own = np.sort(own.reshape(-1, 2), axis=1).astype(np.int64)
+    own = column(mesh.edges, "vertices", 2, np.int32)
+    own = np.sort(own, axis=1).astype(np.int64)
     count = len(mesh.vertices)
     return np.flatnonzero(np.isin(own @ [count, 1], ends @ [count, 1]))
 
@@ -313,8 +304,7 @@ def select_located(mesh: bpy.types.Mesh, located: Located) -> None:
 
 
 def _select_edges_of(mesh: bpy.types.Mesh, faces: np.ndarray) -> None:
-    edge_of_loop = np.empty(len(mesh.loops), dtype=np.int32)
-    mesh.loops.foreach_get("edge_index", edge_of_loop)
+    edge_of_loop = column(mesh.loops, "edge_index", kind=np.int32)
     for face in faces.tolist():
         for loop in mesh.polygons[face].loop_indices:
             mesh.edges[int(edge_of_loop[loop])].select = True

@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 
 from ..model.geometry.chains import Chain, branching, chains_of
+from .columns import column
 from .curve_reader import has_strands
 from .curve_writer import new_curve_object
 from .errors import DataError
@@ -73,7 +74,8 @@ def strands_of_edges(
 
     Raises DataError with one sentence where none is selected, or where they branch.
     """
-    edges = _edges_of(surface.data)[_selected(surface.data.edges)]
+    edges = column(surface.data.edges, "vertices", 2, np.int32)
+    edges = edges[column(surface.data.edges, "select", kind=bool)]
     if not len(edges):
         raise DataError("No edges are selected; select edges that form lines")
     forks = branching(edges)
@@ -97,7 +99,7 @@ def strands_of_boundary(
     Raises DataError with one sentence for a mesh without boundary, and one that meets itself.
     """
     if selected:
-        chosen = _selected(surface.data.edges)
+        chosen = column(surface.data.edges, "select", kind=bool)
         edges, which = _boundary(surface.data)
         chains, places = _loops(edges, surface), _places(surface, depsgraph)
         marked = {tuple(pair) for pair in np.sort(edges[chosen[which]], axis=1).tolist()}
@@ -106,7 +108,7 @@ def strands_of_boundary(
         return _strands(chains, places)
     with surface_mesh(surface, depsgraph) as (mesh, _matrix):
         edges, _which = _boundary(mesh)
-        places = _coordinates(mesh)
+        places = column(mesh.vertices, "co", 3)
     return _strands(_loops(edges, surface), places)
 
 
@@ -137,31 +139,12 @@ def _places(surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> np.nda
     change how many there are."""
     with surface_mesh(surface, depsgraph) as (mesh, _matrix):
         if len(mesh.vertices) == len(surface.data.vertices):
-            return _coordinates(mesh)
-    return _coordinates(surface.data)
-
-
-def _coordinates(mesh: bpy.types.Mesh) -> np.ndarray:
-    places = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-    mesh.vertices.foreach_get("co", places)
-    return places.reshape(-1, 3)
-
-
-def _edges_of(mesh: bpy.types.Mesh) -> np.ndarray:
-    edges = np.empty(2 * len(mesh.edges), dtype=np.int32)
-    mesh.edges.foreach_get("vertices", edges)
-    return edges.reshape(-1, 2)
-
-
-def _selected(edges: bpy.types.bpy_prop_collection) -> np.ndarray:
-    flags = np.empty(len(edges), dtype=bool)
-    edges.foreach_get("select", flags)
-    return flags
+            return column(mesh.vertices, "co", 3)
+    return column(surface.data.vertices, "co", 3)
 
 
 def _boundary(mesh: bpy.types.Mesh) -> tuple[np.ndarray, np.ndarray]:
     """The edges with one face, and their numbers."""
-    sides = np.empty(len(mesh.loops), dtype=np.int32)
-    mesh.loops.foreach_get("edge_index", sides)
+    sides = column(mesh.loops, "edge_index", kind=np.int32)
     which = np.flatnonzero(np.bincount(sides, minlength=len(mesh.edges)) == 1)
-    return _edges_of(mesh)[which], which
+    return column(mesh.edges, "vertices", 2, np.int32)[which], which

@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 
 from .. import core
+from .columns import column, corner_counts, vertices_of_corners
 
 # Triangles this flat count as faces without area (kFlatForRepair of the library), as a share of the
 # size of the mesh.
@@ -20,9 +21,7 @@ def loops_of(mesh: bpy.types.Mesh) -> np.ndarray:
     the library instead, into as many triangles.
     """
     mesh.calc_loop_triangles()
-    loops = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
-    mesh.loop_triangles.foreach_get("loops", loops)
-    loops = loops.reshape(-1, 3)
+    loops = column(mesh.loop_triangles, "loops", 3, np.int32)
     if _has_ngons(mesh):
         _divide_slivers(mesh, loops)
     return loops
@@ -30,33 +29,21 @@ def loops_of(mesh: bpy.types.Mesh) -> np.ndarray:
 
 def vertices_of(mesh: bpy.types.Mesh) -> np.ndarray:
     """The same with the three vertices of each triangle."""
-    return _corners_of(mesh)[loops_of(mesh)]
+    return vertices_of_corners(mesh)[loops_of(mesh)]
 
 
 def _has_ngons(mesh: bpy.types.Mesh) -> bool:
-    totals = np.empty(len(mesh.polygons), dtype=np.int32)
-    mesh.polygons.foreach_get("loop_total", totals)
-    return bool((totals > 4).any())
-
-
-def _corners_of(mesh: bpy.types.Mesh) -> np.ndarray:
-    corners = np.empty(len(mesh.loops), dtype=np.int32)
-    mesh.loops.foreach_get("vertex_index", corners)
-    return corners
+    return bool((corner_counts(mesh) > 4).any())
 
 
 def _divide_slivers(mesh: bpy.types.Mesh, loops: np.ndarray) -> None:
     """Puts the library's triangles into the places of those of polygons that have slivers."""
-    places = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-    mesh.vertices.foreach_get("co", places)
-    places = places.reshape(-1, 3).astype(np.float64)
-    polygons = np.empty(len(loops), dtype=np.int32)
-    mesh.loop_triangles.foreach_get("polygon_index", polygons)
-    begins, totals = (np.empty(len(mesh.polygons), dtype=np.int32) for _ in range(2))
-    mesh.polygons.foreach_get("loop_start", begins)
-    mesh.polygons.foreach_get("loop_total", totals)
+    places = column(mesh.vertices, "co", 3).astype(np.float64)
+    polygons = column(mesh.loop_triangles, "polygon_index", kind=np.int32)
+    begins = column(mesh.polygons, "loop_start", kind=np.int32)
+    totals = corner_counts(mesh)
     of_ngons = np.flatnonzero(totals[polygons] > 4)
-    corners = _corners_of(mesh)
+    corners = vertices_of_corners(mesh)
     a, b, c = places[corners[loops[of_ngons]]].transpose(1, 0, 2)
     sides = np.stack([b - a, c - b, a - c])
     longest = np.linalg.norm(sides, axis=2).max(axis=0)
