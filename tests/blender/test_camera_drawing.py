@@ -305,7 +305,8 @@ def test_a_drawing_that_fails_on_the_way_ends(monkeypatch: pytest.MonkeyPatch) -
     this = SimpleNamespace(options=SimpleNamespace(is_invoke=False))
     this.report = lambda kinds, text: said.append(text)
     this.cancel = lambda context: operator.cancel(this, context)
-    this._goes_on = lambda context, going: operator._goes_on(this, context, going)
+    this.going_on = operator.going_on
+    this._tick = lambda context, going: operator._tick(this, context, going)
     event = SimpleNamespace(type="TIMER", value="NOTHING")
     assert operator.modal(this, bpy.context, event) == {"CANCELLED"}
     assert said == ["There is not enough memory"]

@@ -40,7 +40,7 @@ def images(
 
 
 def finished(
-    work: Generator[float, None, _Result], progress: Callable[[float], None]
+    work: Generator[float, None, _Result], progress: Callable[[float], None] = lambda share: None
 ) -> _Result:
     """Does the rest of what is done piece by piece, and returns what comes of it.
 

@@ -8,10 +8,8 @@ from pathlib import Path
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
-from .. import core
 from ..model.camera import PAPERS, SPACING, CameraPage, Page
 from ..model.estimate import Estimate, described
-from ..model.files.whole import FileError
 from ..model.options import tone
 from ..model.options.option import as_typed
 from ..model.picture.tone import Tone
@@ -29,10 +27,8 @@ from .declared import share_of
 from .file_names import file_named
 from .fill import draw_question
 from .preferences import is_large
-from .refusing import refuse, refusing, sentence_of
-from .watched import over_view
-
-KEYS = "Esc: Cancel"
+from .refusing import refusing
+from .ticked import KEYS, Ticked
 
 
 def _papers() -> tuple[tuple[str, str, str], ...]:
@@ -117,12 +113,13 @@ class PageSettings:
     )
 
 
-class MEANDER_OT_draw_camera(PageSettings, bpy.types.Operator):
+class MEANDER_OT_draw_camera(PageSettings, Ticked, bpy.types.Operator):
     """Fill everything that the camera sees at one spacing on paper, and write the page as an SVG
     file with a layer for each object, without what is hidden. Nothing in the scene is changed"""
 
     bl_idname = "meander.draw_camera"
     bl_label = "Draw from Camera"
+    going_on = going_on
 
     filter_glob: StringProperty(default="*.svg", options={"HIDDEN", "SKIP_SAVE"})
     asked: BoolProperty(
@@ -199,7 +196,7 @@ class MEANDER_OT_draw_camera(PageSettings, bpy.types.Operator):
         if self.options.is_invoke and not bpy.app.background:
             if not self.asked and self._asks(drawing):
                 return {"CANCELLED"}
-            return self._watch(context, drawing)
+            return self._watch(context, Going(drawing, None, Window(context, KEYS)))
         while (stepper := drawing.next()) is not None:
             stepper.run()
             drawing.take(stepper)
@@ -251,54 +248,20 @@ class MEANDER_OT_draw_camera(PageSettings, bpy.types.Operator):
         for remark in drawing.remarks():
             self.report({"WARNING"}, remark)
 
-    def _watch(self, context: bpy.types.Context, drawing: CameraDrawing) -> set[str]:
-        going_on.begin(Going(drawing, None, Window(context, KEYS)))
-        context.window_manager.modal_handler_add(self)
-        return {"RUNNING_MODAL"}
-
-    def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        going = going_on.current
-        if going is None:  # ended by unregister
-            return {"CANCELLED"}
-        if event.type == "ESC" and event.value == "PRESS" and over_view(context, event):
-            going_on.end()
-            return {"CANCELLED"}
-        if event.type != "TIMER":
-            return {"PASS_THROUGH"}
-        try:
-            if self._goes_on(context, going):
-                return {"PASS_THROUGH"}
-            going_on.end()
-            self._write(context, going.drawing)
-            return {"FINISHED"}
-        except (DataError, core.MeanderError, FileError) as error:
-            self.cancel(context)  # where it did not get as far as the file
-            refuse(self, context.active_object, sentence_of(error))
-            return {"CANCELLED"}
-        except BaseException:
-            # A defect of ours must not leave a timer and a run behind.
-            self.cancel(context)
-            raise
-
-    def _goes_on(self, context: bpy.types.Context, going: Going) -> bool:
-        """One tick: whether anything is left to be filled."""
+    def _tick(self, context: bpy.types.Context, going: Going) -> CameraDrawing | None:
         drawing = going.drawing
         if going.stepper is None or going.stepper.finished:
             if going.stepper is not None:
                 drawing.take(going.stepper)
             going.stepper = drawing.next()
             if going.stepper is None:
-                return False
+                return drawing
             going.stepper.start()
         snapshot = going.stepper.poll()
         if snapshot is not None and going.window.text_due(False):
             text = f"{drawing.place}: {drawing.name}, {snapshot.progress:.0%}"
             going.window.show(context, text, snapshot.progress)
-        return True
-
-    def cancel(self, _context: bpy.types.Context) -> None:
-        """Called by Blender when it closes the window or the file under a run."""
-        going_on.end()
+        return None
 
 
 class MEANDER_OT_ask_draw(PageSettings, bpy.types.Operator):

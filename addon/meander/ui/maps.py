@@ -8,21 +8,18 @@ from pathlib import Path
 import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 
-from .. import core
 from ..model import image_files, maps
-from ..model.files.whole import FileError, naming, whole_files
-from ..run.images import Drawn, Going, Images, drawn_images
+from ..model.files.whole import naming, whole_files
+from ..run.images import Going, Images, drawn_images
 from ..run.images import going as going_on
 from ..run.window import Window
 from ..scene.errors import DataError
 from .file_names import file_named
 from .on_result import OnResult, result_of
-from .refusing import refuse, refusing, sentence_of
+from .refusing import refusing, sentence_of
 from .registered import registration
-from .watched import over_view
+from .ticked import KEYS, Ticked
 
-# Over a 3D view; elsewhere keys do what they always do.
-KEYS = "Esc: Cancel"
 _TIPS = {
     "mask": "White line on black",
     "distance": "From the line: black on it, white a spacing away",
@@ -37,12 +34,13 @@ _ALL = {name for name, _label, _tip in _KINDS}
 _SUFFIXES = {suffix[1:].upper(): suffix for suffix in maps.SUFFIXES}
 
 
-class MEANDER_OT_maps(OnResult, bpy.types.Operator):
+class MEANDER_OT_maps(OnResult, Ticked, bpy.types.Operator):
     """Write the curve as images by a UV map of its surface: for other programs, and for materials
     without a curve"""
 
     bl_idname = "meander.maps"
     bl_label = "Write Images"
+    going_on = going_on
 
     filepath: StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE"})
     filter_glob: StringProperty(default="*.png;*.exr", options={"HIDDEN", "SKIP_SAVE"})
@@ -143,27 +141,20 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
         style = maps.Style(self.size, self.margin, self.line_width, self.depth)
         work = drawn_images(result, context, path, kinds, style, self.uv_map)
         if self.options.is_invoke and not bpy.app.background:
-            going_on.begin(Going(work, Window(context, KEYS)))
-            context.window_manager.modal_handler_add(self)
-            return {"RUNNING_MODAL"}
-        while (found := self._next(context, work)) is None:
-            pass
-        self._write(found)
+            return self._watch(context, Going(work, Window(context, KEYS)))
+        self._write(context, image_files.finished(work))
         return {"FINISHED"}
 
-    def _next(
-        self, context: bpy.types.Context, work: Drawn, window: Window | None = None
-    ) -> Images | None:
-        """One piece of the work; the images where that was the last."""
+    def _tick(self, context: bpy.types.Context, going: Going) -> Images | None:
         try:
-            share = next(work)
+            share = next(going.images)
         except StopIteration as end:
             return end.value
-        if window is not None and window.text_due(False):
-            window.show(context, f"Images: {share:.0%}", share)
+        if going.window.text_due(False):
+            going.window.show(context, f"Images: {share:.0%}", share)
         return None
 
-    def _write(self, found: Images) -> None:
+    def _write(self, _context: bpy.types.Context, found: Images) -> None:
         images = found.files
         with whole_files(list(images)) as temporary:
             for image, (place, data) in zip(temporary, images.items(), strict=True):
@@ -174,35 +165,6 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
             self.report({"WARNING"}, sentence_of(warning))
         files = "1 image" if len(images) == 1 else f"{len(images)} images"
         self.report({"INFO"}, f"{found.name}: {files} in {Path(self.filepath).parent}")
-
-    def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        going = going_on.current
-        if going is None:  # ended by unregister
-            return {"CANCELLED"}
-        if event.type == "ESC" and event.value == "PRESS" and over_view(context, event):
-            going_on.end()
-            return {"CANCELLED"}
-        if event.type != "TIMER":
-            return {"PASS_THROUGH"}
-        try:
-            found = self._next(context, going.images, going.window)
-            if found is None:
-                return {"PASS_THROUGH"}
-            going_on.end()
-            self._write(found)
-            return {"FINISHED"}
-        except (DataError, core.MeanderError, FileError) as error:
-            self.cancel(context)  # where it did not get as far as the files
-            refuse(self, context.active_object, sentence_of(error))
-            return {"CANCELLED"}
-        except BaseException:
-            # A defect of ours must not leave a timer and a run behind.
-            self.cancel(context)
-            raise
-
-    def cancel(self, _context: bpy.types.Context) -> None:
-        """Called by Blender when it closes the window or the file under the work."""
-        going_on.end()
 
 
 register, unregister = registration(MEANDER_OT_maps)
