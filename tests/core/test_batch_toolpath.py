@@ -11,7 +11,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch
-from meander.model.files import obj
+from meander.model.files import meshes
 from sentences import assert_sentence
 
 
@@ -44,7 +44,7 @@ def test_step_and_tolerance_give_the_same_curve(square: Path) -> None:
     assert 3 <= len(rows) < sum(len(strand["points"]) for strand in whole)
     assert np.allclose(np.abs([float(row["nz"]) for row in rows]), 1.0)
     assert all(0.01 < float(row["r_plus"]) < 0.5 for row in rows)
-    vertices, faces = obj.read_obj_mesh(square)
+    vertices, faces = meshes.read_mesh(square)
     for row in rows:
         corners = vertices[faces[int(row["face"])]]
         rebuilt = np.array([float(row[f"w{corner}"]) for corner in range(3)]) @ corners

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from meander import core
-from meander.model.files import obj, whole
+from meander.model.files import meshes, obj, whole
 from sentences import assert_sentence
 
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
@@ -51,7 +51,7 @@ def complaint(call, *arguments) -> str:
     ],
 )
 def test_faces(file_of, face: str, triangles: list) -> None:
-    vertices, faces = obj.read_obj_mesh(file_of(SQUARE + face + "\n"))
+    vertices, faces = meshes.read_mesh(file_of(SQUARE + face + "\n"))
     assert faces.tolist() == triangles
     assert vertices.tolist() == [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
     assert (vertices.dtype, faces.dtype) == (np.float64, np.uint32)
@@ -62,13 +62,13 @@ def test_everything_else_in_a_file_is_ignored(file_of) -> None:
         "# comment\r\nmtllib a.mtl\r\no thing\r\nv 0 0 0 1.0\r\n\tv 1e0 0 0 0.5 0.5 0.5\r\n"
         "v +1 1 -0\r\nvt 0 0\r\nvn 0 0 1\r\n\r\ns off\r\nusemtl x\r\nf 1 2 3\r\nl 1 2\r\n"
     )
-    vertices, faces = obj.read_obj_mesh(file_of(text))
+    vertices, faces = meshes.read_mesh(file_of(text))
     assert vertices.tolist() == [[0, 0, 0], [1, 0, 0], [1, 1, 0]]
     assert faces.tolist() == [[0, 1, 2]]
 
 
 def test_not_a_number_is_left_to_the_library(file_of) -> None:
-    vertices, _ = obj.read_obj_mesh(file_of("v nan 0 0\nv 1 0 inf\nv 1 1 0\nf 1 2 3\n"))
+    vertices, _ = meshes.read_mesh(file_of("v nan 0 0\nv 1 0 inf\nv 1 1 0\nf 1 2 3\n"))
     assert np.isnan(vertices[0, 0]) and np.isinf(vertices[1, 2])
 
 
@@ -85,13 +85,13 @@ def test_not_a_number_is_left_to_the_library(file_of) -> None:
 )
 def test_malformed_mesh_beside_those_of_file_cases(file_of, text: str) -> None:
     path = file_of(text)
-    assert str(path) in complaint(obj.read_obj_mesh, path)
+    assert str(path) in complaint(obj.read_obj, path)
 
 
 def test_missing_file(tmp_path: Path) -> None:
-    complaint(obj.read_obj_mesh, tmp_path / "nothing.obj")
+    complaint(obj.read_obj, tmp_path / "nothing.obj")
     complaint(obj.read_obj_curve, tmp_path / "nothing.obj")
-    complaint(obj.read_obj_mesh, tmp_path)
+    complaint(obj.read_obj, tmp_path)
 
 
 # ------------------------------------------------------------------------------------------------

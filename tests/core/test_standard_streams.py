@@ -16,7 +16,7 @@ from meander.cli import standard
 from meander.cli.arguments import parser
 from meander.cli.place import Place
 from meander.cli.values import BadInput
-from meander.model.files import obj
+from meander.model.files import meshes
 from sentences import assert_sentence
 
 SHORT = ("--spacing", "0.3", "--iterations", "3")
@@ -44,7 +44,7 @@ def _ply(mesh: Path) -> bytes:
 
 
 def _stl(mesh: Path, text: bool) -> bytes:
-    vertices, faces = obj.read_obj_mesh(mesh)
+    vertices, faces = meshes.read_mesh(mesh)
     if text:
         lines = ["solid a"]
         for face in faces:

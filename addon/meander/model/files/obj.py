@@ -47,12 +47,6 @@ def read_obj(path: Path) -> MeshOfFile:
     )
 
 
-def read_obj_mesh(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
-    """The vertices (n, 3) and triangles (m, 3), zero-based, of read_obj()."""
-    mesh = read_obj(Path(path))
-    return mesh.vertices, mesh.faces
-
-
 def _text_of(path: Path) -> bytes:
     data = read_plain(path)
     other = told_apart(data, ".obj")

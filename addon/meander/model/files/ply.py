@@ -68,12 +68,6 @@ def read_ply(path: Path) -> MeshOfFile:
     return MeshOfFile(vertices, faces, left_out(int(few.sum())), polygons, first=0)
 
 
-def read_ply_mesh(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
-    """The vertices (n, 3) and triangles (m, 3), zero-based, of read_ply()."""
-    mesh = read_ply(Path(path))
-    return mesh.vertices, mesh.faces
-
-
 def read_tables(path: Path) -> dict[str, Table]:
     """The rows of the vertices, "vertex", and of the faces, "face", of a PLY file, where it has
     them; numbers of a text are float64 whatever their type.

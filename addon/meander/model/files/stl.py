@@ -59,12 +59,6 @@ def read_stl(path: Path) -> MeshOfFile:
     return mesh
 
 
-def read_stl_mesh(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
-    """The vertices (n, 3) and triangles (m, 3), zero-based, of read_stl()."""
-    mesh = read_stl(Path(path))
-    return mesh.vertices, mesh.faces
-
-
 def is_stl(data: bytes) -> bool:
     """Whether bytes without a name are an STL file: text that says so, or of just the size."""
     count, size = int.from_bytes(data[80:_HEAD], "little"), len(data) - _HEAD
