@@ -47,6 +47,14 @@ class ThreadPool {
   void for_blocks(size_t count, size_t grain,
                   const std::function<void(size_t block, size_t begin, size_t end)>& body);
 
+  /// Calls visit(i) for every index of [0, count), which is below 2^32; `grain` indices are a block.
+  template <class Visit>
+  void for_each(size_t count, size_t grain, const Visit& visit) {
+    for_blocks(count, grain, [&](size_t, size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) visit(static_cast<uint32_t>(i));
+    });
+  }
+
   /// Calls visit(i) for the indices of [0, count) and returns the lowest for which it is true, `count` if there
   /// is none. Indices after one that is true may not be visited.
   template <class Visit>

@@ -20,13 +20,10 @@ double angle(Vec2 t) {
 
 NodeData<double> turns_at_nodes(const Curve& curve, ThreadPool& pool) {
   NodeData<double> turn(curve.size(), 0);
-  pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
-    for (size_t k = begin; k < end; ++k) {
-      const auto i = static_cast<uint32_t>(k);
-      const uint32_t before = curve.previous(i);
-      if (before == kNone || !curve.has_segment(i)) continue;
-      turn[k] = angle(curve.shapes[i].leaving * conj(curve.shapes[before].arriving));
-    }
+  pool.for_each(curve.size(), kNodeGrain, [&](uint32_t i) {
+    const uint32_t before = curve.previous(i);
+    if (before == kNone || !curve.has_segment(i)) return;
+    turn[i] = angle(curve.shapes[i].leaving * conj(curve.shapes[before].arriving));
   });
   return turn;
 }
@@ -34,27 +31,24 @@ NodeData<double> turns_at_nodes(const Curve& curve, ThreadPool& pool) {
 NodeData<double> smoothed_curvature(const Curve& curve, const LocalMetric& metric, double width, ThreadPool& pool) {
   const NodeData<double> turn = turns_at_nodes(curve, pool);
   NodeData<double> curvature(curve.size());
-  pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
-    for (size_t k = begin; k < end; ++k) {
-      const auto i = static_cast<uint32_t>(k);
-      const double reach = width * metric.radius[i];
-      double sum = turn[k];
-      // Both ways, and no farther than once round.
-      double away = 0;
-      for (uint32_t j = i; curve.has_segment(j);) {
-        away += curve.shapes[j].length;
-        j = curve.next(j);
-        if (away >= reach || j == i) break;
-        sum += (1 - away / reach) * turn[j];
-      }
-      away = 0;
-      for (uint32_t j = curve.previous(i); j != kNone && j != i; j = curve.previous(j)) {
-        away += curve.shapes[j].length;
-        if (away >= reach) break;
-        sum += (1 - away / reach) * turn[j];
-      }
-      curvature[k] = std::abs(sum) / width;
+  pool.for_each(curve.size(), kNodeGrain, [&](uint32_t i) {
+    const double reach = width * metric.radius[i];
+    double sum = turn[i];
+    // Both ways, and no farther than once round.
+    double away = 0;
+    for (uint32_t j = i; curve.has_segment(j);) {
+      away += curve.shapes[j].length;
+      j = curve.next(j);
+      if (away >= reach || j == i) break;
+      sum += (1 - away / reach) * turn[j];
     }
+    away = 0;
+    for (uint32_t j = curve.previous(i); j != kNone && j != i; j = curve.previous(j)) {
+      away += curve.shapes[j].length;
+      if (away >= reach) break;
+      sum += (1 - away / reach) * turn[j];
+    }
+    curvature[i] = std::abs(sum) / width;
   });
   return curvature;
 }

@@ -19,12 +19,10 @@ class Course {
   Course(const Curve& curve, const Strand& strand, const LocalMetric& metric, const NodeData<double>& turns,
          ThreadPool& pool)
       : closed_(strand.closed), count_(strand.count), arc_length_(strand.count + 1, 0), turn_(strand.count + 1, 0) {
-    pool.for_blocks(strand.count, kNodeGrain, [&](size_t, size_t begin, size_t end) {
-      for (size_t k = begin; k < end; ++k) {
-        const uint32_t i = strand.first + static_cast<uint32_t>(k);
-        if (curve.has_segment(i)) arc_length_[k + 1] = curve.shapes[i].length / metric.radius[i];
-        turn_[k + 1] = turns[i];
-      }
+    pool.for_each(strand.count, kNodeGrain, [&](uint32_t k) {
+      const uint32_t i = strand.first + k;
+      if (curve.has_segment(i)) arc_length_[k + 1] = curve.shapes[i].length / metric.radius[i];
+      turn_[k + 1] = turns[i];
     });
     std::partial_sum(arc_length_.begin(), arc_length_.end(), arc_length_.begin());
     std::partial_sum(turn_.begin(), turn_.end(), turn_.begin());

@@ -13,14 +13,12 @@ void find_local_metric(const Surface& surface, const Curve& curve, const RadiusF
     values->resize(curve.size());
   }
   const bool narrow = rules.boundary_distance <= kWideStrip;
-  pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const double r = radius.at(surface, curve.nodes[i]);
-      metric.radius[i] = r;
-      metric.max_radius[i] = std::min(rules.clamp * r, rules.largest);
-      metric.overhang[i] = (1 - 2 * rules.boundary_distance) * r;
-      metric.least_rest[i] = narrow ? r : 0;
-    }
+  pool.for_each(curve.size(), kNodeGrain, [&](uint32_t i) {
+    const double r = radius.at(surface, curve.nodes[i]);
+    metric.radius[i] = r;
+    metric.max_radius[i] = std::min(rules.clamp * r, rules.largest);
+    metric.overhang[i] = (1 - 2 * rules.boundary_distance) * r;
+    metric.least_rest[i] = narrow ? r : 0;
   });
 }
 

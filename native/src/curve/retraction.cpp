@@ -50,9 +50,7 @@ const NodeData<double>& Retraction::move(const Surface& surface, const Curve& cu
                                          MoveSeconds& seconds) {
   const uint32_t n = curve.size();
   resize_closely(share_, n);
-  pool.for_blocks(n, kNodeGrain, [&](size_t, size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) share_[i] = curve.fixed[i] ? 0 : 1;
-  });
+  pool.for_each(n, kNodeGrain, [&](uint32_t i) { share_[i] = curve.fixed[i] ? 0 : 1; });
   resolve(surface, curve, displacement, next, pool, seconds);
   return moved_;
 }

@@ -95,11 +95,9 @@ std::pair<uint32_t, double> SurfacePatches::Cutter::longest_side(uint32_t f) con
 void SurfacePatches::Cutter::lay_out_cells(ThreadPool& pool) {
   const size_t faces = s_.face_count();
   std::vector<uint8_t> large(faces);
-  pool.for_blocks(faces, kAtATime, [&](size_t, size_t begin, size_t end) {
-    for (auto f = static_cast<uint32_t>(begin); f < end; ++f) {
-      const double size = size_at(level_at(f));
-      large[f] = longest_side(f).second > size * size;
-    }
+  pool.for_each(faces, kAtATime, [&](uint32_t f) {
+    const double size = size_at(level_at(f));
+    large[f] = longest_side(f).second > size * size;
   });
   patches_.patch_of_face_.resize(faces);
   size_t cells = 0;
@@ -112,17 +110,15 @@ void SurfacePatches::Cutter::lay_out_cells(ThreadPool& pool) {
   cells_.resize(cells);
   // A face may be as large as the surface.
   constexpr size_t kFaces = 16;
-  pool.for_blocks(faces, kFaces, [&](size_t, size_t begin, size_t end) {
-    for (auto f = static_cast<uint32_t>(begin); f < end; ++f) {
-      if (large[f]) {
-        lay_grid(f);
-        continue;
-      }
-      const uint32_t level = level_at(f);
-      const Triangle& t = s_.face(f);
-      const Vec3 middle = (s_.position(t[0]) + s_.position(t[1]) + s_.position(t[2])) / 3;
-      cells_[patches_.patch_of_face_[f]] = {voxel(middle, size_at(level), level), middle, f, s_.face_area(f)};
+  pool.for_each(faces, kFaces, [&](uint32_t f) {
+    if (large[f]) {
+      lay_grid(f);
+      return;
     }
+    const uint32_t level = level_at(f);
+    const Triangle& t = s_.face(f);
+    const Vec3 middle = (s_.position(t[0]) + s_.position(t[1]) + s_.position(t[2])) / 3;
+    cells_[patches_.patch_of_face_[f]] = {voxel(middle, size_at(level), level), middle, f, s_.face_area(f)};
   });
 }
 
@@ -298,18 +294,14 @@ void SurfacePatches::Cutter::list_beside(ThreadPool& pool) {
   std::vector<uint32_t>& first_kept = patches_.first_beside_;
   first_kept.assign(count + 1, 0);
   const auto of = [&](uint32_t p) { return all.begin() + first[p]; };
-  pool.for_blocks(count, kAtATime, [&](size_t, size_t begin, size_t end) {
-    for (auto p = static_cast<uint32_t>(begin); p < end; ++p) {
-      std::sort(of(p), of(p + 1));
-      first_kept[p + 1] = static_cast<uint32_t>(std::unique(of(p), of(p + 1)) - of(p));
-    }
+  pool.for_each(count, kAtATime, [&](uint32_t p) {
+    std::sort(of(p), of(p + 1));
+    first_kept[p + 1] = static_cast<uint32_t>(std::unique(of(p), of(p + 1)) - of(p));
   });
   std::partial_sum(first_kept.begin(), first_kept.end(), first_kept.begin());
   patches_.beside_.resize(first_kept.back());
-  pool.for_blocks(count, kAtATime, [&](size_t, size_t begin, size_t end) {
-    for (auto p = static_cast<uint32_t>(begin); p < end; ++p) {
-      std::copy_n(of(p), first_kept[p + 1] - first_kept[p], patches_.beside_.begin() + first_kept[p]);
-    }
+  pool.for_each(count, kAtATime, [&](uint32_t p) {
+    std::copy_n(of(p), first_kept[p + 1] - first_kept[p], patches_.beside_.begin() + first_kept[p]);
   });
 }
 

@@ -21,16 +21,14 @@ uint32_t PointsOfFaces::across(const Surface& surface, uint32_t face) {
 
 void PointsOfFaces::sort_within_faces(const Surface& surface, ThreadPool& pool) {
   constexpr size_t kBlock = 1024;
-  pool.for_blocks(first_.size() - 2, kBlock, [&](size_t, size_t begin, size_t end) {
-    for (size_t f = begin; f < end; ++f) {
-      const std::span<Item> items = std::span(items_).subspan(first_[f], first_[f + 1] - first_[f]);
-      if (items.size() <= kFew) continue;
-      const uint32_t corner = across(surface, static_cast<uint32_t>(f));
-      std::sort(items.begin(), items.end(), [&](const Item& a, const Item& b) {
-        const double of_a = weight(a.b, corner), of_b = weight(b.b, corner);
-        return of_a != of_b ? of_a < of_b : a.index < b.index;
-      });
-    }
+  pool.for_each(first_.size() - 2, kBlock, [&](uint32_t f) {
+    const std::span<Item> items = std::span(items_).subspan(first_[f], first_[f + 1] - first_[f]);
+    if (items.size() <= kFew) return;
+    const uint32_t corner = across(surface, f);
+    std::sort(items.begin(), items.end(), [&](const Item& a, const Item& b) {
+      const double of_a = weight(a.b, corner), of_b = weight(b.b, corner);
+      return of_a != of_b ? of_a < of_b : a.index < b.index;
+    });
   });
 }
 

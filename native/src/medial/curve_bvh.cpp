@@ -20,9 +20,7 @@ void CurveBvh::build(std::span<const Eigen::Vector3d> points, ThreadPool& pool, 
   const uint32_t count = static_cast<uint32_t>((points.size() + kRun - 1) / kRun);
   resize_closely(boxes_, count);
   resize_closely(lanes_, count);
-  pool.for_blocks(count, 256, [&](size_t, size_t begin, size_t end) {
-    for (size_t run = begin; run < end; ++run) take_in(static_cast<uint32_t>(run));
-  });
+  pool.for_each(count, 256, [&](uint32_t run) { take_in(run); });
   list_runs_of_parts();
   nodes_.clear();
   nodes_.reserve(runs_.size() / 2 + 4);
@@ -130,10 +128,8 @@ uint32_t CurveBvh::add_branch(Table<Node>& nodes, uint32_t first, uint32_t last,
   Table<Node> branches[4];
   if (pool) {
     pool->for_blocks(2, 1, quarter);
-    pool->for_blocks(4, 1, [&](size_t, size_t begin, size_t end) {
-      for (size_t k = begin; k < end; ++k) {
-        if (cuts[k + 1] - cuts[k] > 1) add_branch(branches[k], cuts[k], cuts[k + 1], nullptr);
-      }
+    pool->for_each(4, 1, [&](uint32_t k) {
+      if (cuts[k + 1] - cuts[k] > 1) add_branch(branches[k], cuts[k], cuts[k + 1], nullptr);
     });
   } else {
     quarter(0, 0, 2);

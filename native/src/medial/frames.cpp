@@ -162,9 +162,7 @@ void compute_frames(const Surface& surface, const Curve& curve, const LocalMetri
   frames.radius_slope.resize(n);
   frames.walked.assign(n, 1);
   constexpr size_t kBlock = 512;
-  pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) frames.position[i] = position(surface, curve.nodes[i]);
-  });
+  pool.for_each(n, kBlock, [&](uint32_t i) { frames.position[i] = position(surface, curve.nodes[i]); });
   pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
     Tangents tangent_in_space(surface, curve, frames);
     DirectionWalks walks(surface, curve, metric, radius, frames);
@@ -188,17 +186,15 @@ void compute_frames(const Surface& surface, const Curve& curve, const LocalMetri
 void remember_directions(const Frames& frames, const LocalMetric& metric, ThreadPool& pool,
                          NodeData<CachedDirections>& cached) {
   cached.resize(frames.position.size());
-  pool.for_blocks(cached.size(), 2048, [&](size_t, size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      if (!frames.walked[i]) continue;
-      CachedDirections& known = cached[i];
-      known.from = frames.position[i].cast<float>();
-      known.radius = static_cast<float>(metric.radius[i]);
-      for (size_t side = 0; side < 2; ++side) {
-        known.outward[side] = frames.outward[i][side].cast<float>();
-        known.radius_slope[side] = static_cast<float>(frames.radius_slope[i][side]);
-        if (frames.to_boundary[i][side] >= 0) known.radius = 0;
-      }
+  pool.for_each(cached.size(), 2048, [&](uint32_t i) {
+    if (!frames.walked[i]) return;
+    CachedDirections& known = cached[i];
+    known.from = frames.position[i].cast<float>();
+    known.radius = static_cast<float>(metric.radius[i]);
+    for (size_t side = 0; side < 2; ++side) {
+      known.outward[side] = frames.outward[i][side].cast<float>();
+      known.radius_slope[side] = static_cast<float>(frames.radius_slope[i][side]);
+      if (frames.to_boundary[i][side] >= 0) known.radius = 0;
     }
   });
 }

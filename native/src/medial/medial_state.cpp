@@ -37,13 +37,11 @@ void find_medial_state(const MedialScene& scene, const AtRest& known, const Node
   state.tree.hand_on();
   complete_reach(reach, pool, state.reach, state.radii);
   state.felt_radii.resize(state.radii.size());
-  pool.for_blocks(state.radii.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      for (size_t side = 0; side < 2; ++side) {
-        const double driving = std::max(0.0, state.reach[i][side].driving);
-        state.felt_radii[i][side] =
-            in_local_radii(state.frames, scene.metric, i, side, std::min(state.radii[i][side], driving));
-      }
+  pool.for_each(state.radii.size(), kNodeGrain, [&](uint32_t i) {
+    for (size_t side = 0; side < 2; ++side) {
+      const double driving = std::max(0.0, state.reach[i][side].driving);
+      state.felt_radii[i][side] =
+          in_local_radii(state.frames, scene.metric, i, side, std::min(state.radii[i][side], driving));
     }
   });
 }

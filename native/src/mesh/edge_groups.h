@@ -125,11 +125,9 @@ class EdgeGroups {
     each([&](uint32_t low, const HalfOfEdge&) { ++end_[low + 1]; });
     for (size_t v = 0; v < vertex_count; ++v) end_[v + 1] += end_[v];
     each([&](uint32_t low, const HalfOfEdge& side) { sides_[end_[low]++] = side; });
-    pool.for_blocks(vertex_count, kMeshGrain, [&](size_t, size_t begin, size_t end) {
-      for (size_t v = begin; v < end; ++v) {
-        std::sort(sides_.begin() + begin_of(v), sides_.begin() + end_[v],
-                  [](const HalfOfEdge& a, const HalfOfEdge& b) { return a.order() < b.order(); });
-      }
+    pool.for_each(vertex_count, kMeshGrain, [&](uint32_t v) {
+      std::sort(sides_.begin() + begin_of(v), sides_.begin() + end_[v],
+                [](const HalfOfEdge& a, const HalfOfEdge& b) { return a.order() < b.order(); });
     });
   }
 

@@ -103,9 +103,7 @@ class Multigrid {
 
   template <class Body>
   void for_all(size_t count, const Body& body) {
-    pool_.for_blocks(count, kMeshGrain, [&](size_t, size_t begin, size_t end) {
-      for (auto i = static_cast<uint32_t>(begin); i < end; ++i) body(i);
-    });
+    pool_.for_each(count, kMeshGrain, body);
   }
 
  private:

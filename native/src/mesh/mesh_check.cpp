@@ -229,12 +229,10 @@ void flip(CheckedMesh& mesh) {
 /// A vertex whose faces form more than one fan is named.
 void check_vertices(const CheckedMesh& mesh, size_t vertex_count, const Names& names, ThreadPool& pool) {
   std::vector<uint32_t> any_corner(vertex_count, kNever);
-  pool.for_blocks(mesh.faces.size(), kMeshGrain, [&](size_t, size_t begin, size_t end) {
-    for (auto f = static_cast<uint32_t>(begin); f < end; ++f) {
-      for (uint32_t k = 0; k < 3; ++k) {
-        const std::atomic_ref any(any_corner[mesh.faces[f][k]]);
-        any.store(3 * f + k, std::memory_order_relaxed);  // whichever comes last
-      }
+  pool.for_each(mesh.faces.size(), kMeshGrain, [&](uint32_t f) {
+    for (uint32_t k = 0; k < 3; ++k) {
+      const std::atomic_ref any(any_corner[mesh.faces[f][k]]);
+      any.store(3 * f + k, std::memory_order_relaxed);  // whichever comes last
     }
   });
   // Works before faces are flipped, too, since it finds the corner of the vertex in every face.

@@ -100,9 +100,7 @@ void Surface::place(const Placement& placement, ThreadPool& pool) {
   low_ = Vec3(placement.low[0], placement.low[1], placement.low[2]);
   scale_ = placement.diagonal;
   positions_.resize(caller_.size() / 3);
-  pool.for_blocks(positions_.size(), kMeshGrain, [&](size_t, size_t begin, size_t end) {
-    for (uint32_t v = static_cast<uint32_t>(begin); v < end; ++v) positions_[v] = to_inside(caller_position(v));
-  });
+  pool.for_each(positions_.size(), kMeshGrain, [&](uint32_t v) { positions_[v] = to_inside(caller_position(v)); });
 }
 
 Vec3 Surface::to_inside(const Vec3& p) const {

@@ -49,10 +49,8 @@ NodeData<double> smoothed_spacing(const Curve& curve, const LocalMetric& metric,
   strands.for_strands(curve, pool, [&](const Strand& strand, ThreadPool& threads, StrandSystem& system) {
     system.reset(strand.count, threads);
     system.closed = strand.closed;
-    threads.for_blocks(strand.count, kNodeGrain, [&](size_t, size_t begin, size_t end) {
-      for (size_t k = begin; k < end; ++k) {
-        add_row(curve, metric, radii, strand.first + static_cast<uint32_t>(k), k, system);
-      }
+    threads.for_each(strand.count, kNodeGrain, [&](uint32_t k) {
+      add_row(curve, metric, radii, strand.first + k, k, system);
     });
     const Table<Vec2> u = solve(system, threads);
     for (uint32_t k = 0; k < strand.count; ++k) spacing[strand.first + k] = u[k].x;

@@ -73,9 +73,7 @@ class Measuring {
  public:
   Measuring(const MapOfCut& cut, ThreadPool& pool)
       : cut_(cut), line_(cut), turns_(cut, line_, pool.poll(1u << 16)), known_(cut.strands.size()) {
-    pool.for_blocks(known_.size(), kMeshGrain, [&](size_t, size_t begin, size_t end) {
-      for (size_t f = begin; f < end; ++f) look_at(f);
-    });
+    pool.for_each(known_.size(), kMeshGrain, [&](uint32_t f) { look_at(f); });
   }
 
   /// A place of a face, with its weights, on the turn that is nearest to it.

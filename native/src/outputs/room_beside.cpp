@@ -56,11 +56,9 @@ NodeData<std::array<double, 2>> find_room(const Domain& domain, const Curve& cur
   const SurfacePatches* const patches = domain.patches.get();
   std::vector<Vec3> places(curve.size());
   std::vector<uint32_t> patch(patches ? curve.size() : 0);
-  pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      places[i] = position(surface, curve.nodes[i]);
-      if (patches) patch[i] = patches->patch_of(surface, curve.nodes[i]);
-    }
+  pool.for_each(curve.size(), kNodeGrain, [&](uint32_t i) {
+    places[i] = position(surface, curve.nodes[i]);
+    if (patches) patch[i] = patches->patch_of(surface, curve.nodes[i]);
   });
   const ArcLengths arcs(curve);
   const double reach = 2 * clearance + 4 * most + kLongestSegment;
@@ -68,30 +66,28 @@ NodeData<std::array<double, 2>> find_room(const Domain& domain, const Curve& cur
   if (curve.size() == 0) return room;
   const auto [least, largest] = std::minmax_element(radius.begin(), radius.end());
   const PointGrid grid(places, reach * *least, reach * *largest, pool.poll(kNodeGrain));
-  pool.for_blocks(curve.size(), kNodeGrain / 8, [&](size_t, size_t begin, size_t end) {
-    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
-      if (!movable[i]) continue;
-      const double r = radius[i];
-      const Vec2 tangent = unit(curve.shapes[curve.previous(i)].arriving + curve.shapes[i].leaving);
-      const Vec3 left = surface.to_space(curve.nodes[i].face, Vec2{0, 1} * tangent);
-      room[i] = {2 * most * r, 2 * most * r};
-      grid.near(places[i], reach * r, [&](uint32_t j, double) {
-        if (arcs.within(i, j, kSameTurn * r)) return;
-        if (patches && patches->hidden(patch[i], patch[j])) return;
-        Vec3 nearest = places[j];
-        if (curve.has_segment(j)) {
-          const Vec3 along = places[curve.next(j)] - places[j];
-          const double squared = along.squaredNorm();
-          if (squared > 0) nearest += std::clamp((places[i] - places[j]).dot(along) / squared, 0.0, 1.0) * along;
-        }
-        const Vec3 way = nearest - places[i];
-        const double distance = way.norm();
-        const double spare = std::max(0.0, 0.5 * (distance - 2 * clearance * std::max(r, radius[j])));
-        const double side = distance > 0 ? way.dot(left) / distance : 0;
-        double& there = room[i][side > 0 ? 0 : 1];
-        if (std::abs(side) > kAcross) there = std::min(there, spare / std::abs(side));
-      });
-    }
+  pool.for_each(curve.size(), kNodeGrain / 8, [&](uint32_t i) {
+    if (!movable[i]) return;
+    const double r = radius[i];
+    const Vec2 tangent = unit(curve.shapes[curve.previous(i)].arriving + curve.shapes[i].leaving);
+    const Vec3 left = surface.to_space(curve.nodes[i].face, Vec2{0, 1} * tangent);
+    room[i] = {2 * most * r, 2 * most * r};
+    grid.near(places[i], reach * r, [&](uint32_t j, double) {
+      if (arcs.within(i, j, kSameTurn * r)) return;
+      if (patches && patches->hidden(patch[i], patch[j])) return;
+      Vec3 nearest = places[j];
+      if (curve.has_segment(j)) {
+        const Vec3 along = places[curve.next(j)] - places[j];
+        const double squared = along.squaredNorm();
+        if (squared > 0) nearest += std::clamp((places[i] - places[j]).dot(along) / squared, 0.0, 1.0) * along;
+      }
+      const Vec3 way = nearest - places[i];
+      const double distance = way.norm();
+      const double spare = std::max(0.0, 0.5 * (distance - 2 * clearance * std::max(r, radius[j])));
+      const double side = distance > 0 ? way.dot(left) / distance : 0;
+      double& there = room[i][side > 0 ? 0 : 1];
+      if (std::abs(side) > kAcross) there = std::min(there, spare / std::abs(side));
+    });
   });
   return room;
 }

@@ -127,22 +127,16 @@ class Rounding {
   void mark_bends() {
     const NodeData<double> turn = turns_at_nodes(curve_, pool_);
     std::vector<uint8_t> sharp(curve_.size());
-    pool_.for_blocks(curve_.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
-      for (size_t k = begin; k < end; ++k) {
-        const auto i = static_cast<uint32_t>(k);
-        double sum = turn[i];
-        each_within(i, 0.5 * kBendWindow * radius_[i], [&](uint32_t j) { sum += turn[j]; });
-        sharp[i] = std::abs(sum) > kBendTurn;
-      }
+    pool_.for_each(curve_.size(), kNodeGrain, [&](uint32_t i) {
+      double sum = turn[i];
+      each_within(i, 0.5 * kBendWindow * radius_[i], [&](uint32_t j) { sum += turn[j]; });
+      sharp[i] = std::abs(sum) > kBendTurn;
     });
     movable_.assign(curve_.size(), 0);
-    pool_.for_blocks(curve_.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
-      for (size_t k = begin; k < end; ++k) {
-        const auto i = static_cast<uint32_t>(k);
-        if (curve_.fixed[i] || curve_.on_guide(i) || curve_.previous(i) == kNone || !curve_.has_segment(i)) continue;
-        movable_[i] = sharp[i];
-        each_within(i, kBendMargin * radius_[i], [&](uint32_t j) { movable_[i] = movable_[i] | sharp[j]; });
-      }
+    pool_.for_each(curve_.size(), kNodeGrain, [&](uint32_t i) {
+      if (curve_.fixed[i] || curve_.on_guide(i) || curve_.previous(i) == kNone || !curve_.has_segment(i)) return;
+      movable_[i] = sharp[i];
+      each_within(i, kBendMargin * radius_[i], [&](uint32_t j) { movable_[i] = movable_[i] | sharp[j]; });
     });
     // A strand that bends everywhere has to begin somewhere.
     for (const Strand& strand : curve_.strands) {
@@ -222,9 +216,7 @@ class Rounding {
     NodeData<double> step(curve_.size(), 0);
     const std::vector<Bend> bends = find_bends();
     constexpr size_t kBendsPerBlock = 4;
-    pool_.for_blocks(bends.size(), kBendsPerBlock, [&](size_t, size_t begin, size_t end) {
-      for (size_t k = begin; k < end; ++k) solve(bends[k], turn, step);
-    });
+    pool_.for_each(bends.size(), kBendsPerBlock, [&](uint32_t k) { solve(bends[k], turn, step); });
     NodeData<Vec2> displacement(curve_.size());
     for (const Bend& bend : bends) {
       for (uint32_t i = bend.first, k = 0; k < bend.count; ++k, i = curve_.next(i)) {
