@@ -8,12 +8,10 @@
 
 #include "base/front_search.h"
 #include "geodesic/geodesic_trace.h"
+#include "outputs/constants.h"
 
 namespace meander {
 namespace {
-
-/// What is connected to a place is looked for up to this many r from it.
-constexpr double kFarthest = 3;
 
 /// What is gathered of the curve for points nearby reaches this many r farther than the first of them needs.
 constexpr double kGatherMargin = 0.5;

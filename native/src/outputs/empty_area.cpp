@@ -9,16 +9,6 @@
 namespace meander {
 namespace {
 
-/// What is no farther from the last place that was asked about is taken to be as narrow; in r.
-constexpr double kAlike = 1.5;
-
-/// What reaches no farther from its middle is either empty or not; in r.
-constexpr double kFinest = 0.2;
-
-/// How far is looked from a place whose width is asked for, and how finely; in r.
-constexpr double kLook = 4;
-constexpr double kLookFinest = 0.3;
-
 /// A part of a face in the plane of that: what of the triangle lies in a box, so that long faces are cut across.
 class Cell {
  public:
@@ -146,7 +136,7 @@ bool EmptyFaces::narrow_at(const SurfacePoint& place, double r) {
   const Vec3 x = position(surface, place);
   const uint32_t component = surface.component(place.face);
   for (const Known& known : known_) {
-    if (known.component == component && (x - known.place).norm() < kAlike * r) return known.narrow;
+    if (known.component == component && (x - known.place).norm() < kAsNarrow * r) return known.narrow;
   }
   const bool narrow = is_narrow(emptiness_, place, poll_);
   known_[next_++ % known_.size()] = {component, x, narrow};
@@ -166,7 +156,7 @@ void EmptyFaces::add(uint32_t face, double nearer_than) {
     if (reach > r) return true;
     // How far a line is to be from there, to leave it empty.
     const double wanted = strip_.wanted_at(position(surface, middle), r) + kEmptySize * r;
-    const double unsure = reach <= kFinest * r ? 0 : reach;
+    const double unsure = reach <= kFinestCell * r ? 0 : reach;
     const Emptiness::Size size = emptiness_.compare(middle, wanted - unsure, wanted + unsure);
     if (size == Emptiness::Size::kAbove) (narrow_at(middle, r) ? area_.narrow : area_.wide) += cell.area();
     return size == Emptiness::Size::kBetween;

@@ -7,12 +7,10 @@
 
 #include "base/cancel_token.h"
 #include "medial/boundary_reach.h"
+#include "outputs/constants.h"
 #include "outputs/emptiness.h"
 
 namespace meander {
-
-/// Places of a larger size are empty: a filled surface has hardly any.
-inline constexpr double kEmptySize = 1.6;
 
 /// A strip along the boundary that is to stay empty.
 struct EmptyStrip {

@@ -7,19 +7,10 @@
 
 #include "base/point_grid.h"
 #include "base/segment_distance.h"
+#include "outputs/constants.h"
 
 namespace meander {
 namespace {
-
-/// What is this near along a strand, in r, belongs to the same turn: a half circle of radius r is pi r long.
-constexpr double kSameTurn = 3.3;
-
-/// What lies this much across the side that a node goes to, as a cosine, gets no nearer by that.
-constexpr double kAcross = 0.05;
-
-/// Segments are this long at most, in r, where strands are looked for: longer ones lie on large faces, which have
-/// nodes of their own.
-constexpr double kLongestSegment = 0.5;
 
 /// Arc length up to every node of a strand, and of the whole of it.
 struct ArcLengths {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/segment_distance.h"
+#include "outputs/constants.h"
 
 namespace meander {
 namespace {
@@ -32,10 +33,6 @@ void keep_bends(std::span<const PlaceOnWay> places, uint8_t* kept) {
   keep_bends(places.subspan(0, farthest + 1), kept);
   keep_bends(places.subspan(farthest), kept + farthest);
 }
-
-/// This near to a node, in local spacings, an edge may bend the line by this many times more: at a turn of the least
-/// radius a ring of a tube half a spacing across takes up about so much of the way.
-constexpr double kBesideNode = 0.035, kSlackBesideNode = 3;
 
 }  // namespace
 

@@ -14,7 +14,4 @@ namespace meander {
 /// near a node: a ring of a tube at an edge there would be turned over.
 std::vector<uint8_t> drawn_points(const Domain& domain, const Curve& curve, ThreadPool& pool);
 
-/// Far less than what is seen, and more than the edges of fine meshes bend a line by.
-inline constexpr double kFlatWay = 0.004;
-
 }  // namespace meander

@@ -11,34 +11,11 @@
 #include "curve/curvature.h"
 #include "curve/refinement.h"
 #include "curve/retraction.h"
+#include "outputs/constants.h"
 #include "outputs/room_beside.h"
 
 namespace meander {
 namespace {
-
-/// A strand bends where it turns by more than this, in radians, within kBendWindow r: a circle of half a spacing turns
-/// by twice as much.
-constexpr double kBendTurn = 0.3, kBendWindow = 0.6;
-
-/// What belongs to a bend before and behind it, in r.
-constexpr double kBendMargin = 2;
-
-/// Segments of bends, in r: at least this long, and at most twice as long.
-constexpr double kBendSegment = 0.1;
-
-/// A spline smooths what is shorter than about six times its length of stiffness, which is this many tolerances: at a
-/// corner of 90 degrees it keeps away from it by a little less than the tolerance.
-constexpr double kStiffness = 1.8;
-
-/// Nodes take steps of at most this many r, so many times: what the spline knows of a turn is true for small ones.
-constexpr double kRoundingStep = 0.12;
-constexpr int kRoundingSteps = 14;
-
-/// The nodes of a bend are spread anew after so many steps: on the inside of turns they gather.
-constexpr int kStepsPerSpread = 5;
-
-/// Bounds that a solution leaves are held in the next one, so many times.
-constexpr int kBoundTries = 4;
 
 /// A run of nodes that may move, along a strand, `first` among them and round the end of a closed one.
 struct Bend {
@@ -267,7 +244,8 @@ class Rounding {
     for (int attempt = 0; attempt < kBoundTries; ++attempt) {
       Pentadiagonal system(n);
       for (size_t k = 0; k < n + 2; ++k) add_turn(system, k, n, turn[node[k]], length, mass);
-      const double stiffness = kStiffness * 2 * tolerance_, stays = 1 / (stiffness * stiffness * stiffness * stiffness);
+      const double stiffness = kBendStiffness * 2 * tolerance_;
+      const double stays = 1 / (stiffness * stiffness * stiffness * stiffness);
       for (size_t k = 0; k < n; ++k) {
         const double weight = stays * mass[k + 1];
         system.add_diagonal(k, weight, -left_[node[k + 1]] / radius_[node[k + 1]]);

@@ -25,7 +25,4 @@ struct RoundedCurve {
 /// `tolerance`  in local spacings; 0: the curve stays
 RoundedCurve rounded(const Domain& domain, const Curve& curve, double tolerance, ThreadPool& pool);
 
-/// How near to each other rounding may take strands, in local spacings.
-inline constexpr double kRoundedClearance = 0.85;
-
 }  // namespace meander

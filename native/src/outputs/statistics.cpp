@@ -7,12 +7,10 @@
 #include "curve/crossings.h"
 #include "flow/weighting.h"
 #include "model/energy.h"
+#include "outputs/constants.h"
 
 namespace meander {
 namespace {
-
-/// How far the spacing may be from what is wanted and still be even, as a share of that.
-constexpr double kEvenWithin = 0.2;
 
 void count_strands(const Flow& flow, Statistics& figures) {
   const Curve& curve = flow.curve();
