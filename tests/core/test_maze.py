@@ -18,14 +18,19 @@ SIZE = 160
 
 
 def cut_of(
-    mesh: geometry.Mesh, spacing: float, seed: core.Seed | None = None, variation: int = 0
+    mesh: geometry.Mesh,
+    spacing: float,
+    seed: core.Seed | None = None,
+    variation: int = 0,
+    detail: float = 0.2,
+    iterations: int = 150,
 ) -> core.CutSurface:
     options = core.default_options("even")
     options.variation = variation
-    options.radius, options.iteration_limit = spacing / 2, 150
+    options.radius, options.iteration_limit = spacing / 2, iterations
     with core.Flow(core.Surface(mesh.vertices, mesh.faces), options, seed) as flow:
         flow.run()
-        return core.cut_surface(flow, spacing / 5, middle_lines=True)
+        return core.cut_surface(flow, detail * spacing, middle_lines=True)
 
 
 @pytest.fixture(scope="module")
@@ -207,6 +212,25 @@ def test_the_way_keeps_off_the_walls(sheet: core.CutSurface) -> None:
     assert all(tuple(sorted(pair)) in edges for pair in zip(way[:-1].tolist(), way[1:].tolist()))
     assert np.median(sheet.distances[way]) > 0.35 * SPACING, "in the middle of corridors"
     assert not np.isin(way[1:-1], np.setdiff1d(sheet.line_vertices, gaps)).any()
+
+
+@pytest.mark.parametrize("spacing", [0.085, 0.1])
+def test_a_way_ends_in_the_middle_of_a_mouth(spacing: float) -> None:
+    """Not at one of the walls beside it, with as few vertices across a corridor as buttons have."""
+    mesh = geometry.grid(16, 16)
+    low = mesh.vertices.min(axis=0)
+    mesh = mesh._replace(vertices=(mesh.vertices - low) / np.ptp(mesh.vertices[:, 0]))
+    mouths = 0
+    for variation in range(2):
+        cut = cut_of(mesh, spacing, variation=variation, detail=0.25, iterations=1000)
+        maze = Maze(cut, spacing)
+        doors = maze.farthest_doors()
+        ends = np.setdiff1d(doors.ends, cut.line_vertices)  # those in a wall are of its line
+        assert np.all(cut.distances[ends] > 0.25 * spacing)
+        mouths += len(ends)
+        places = maze.places(maze.way(doors), doors)[[0, -1]]
+        assert np.minimum(places[:, :2], 1.0 - places[:, :2]).min(axis=1).max() < spacing
+    assert mouths > 0
 
 
 def test_doors_where_one_wants_them(sheet: core.CutSurface) -> None:

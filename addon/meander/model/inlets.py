@@ -25,15 +25,13 @@ class Inlet:
     """One corridor, by numbers of the strand's points, of which first .. last are its wall.
 
     gap     in its wall, where it comes farthest from the boundary
-    middle  (3,) of its mouth, straight between first and last
-    mouth   the vertex that is nearest to that, and not beside a wall
+    mouth   the vertex that is near to both ends of its wall, and far from the wall itself
     inside  the vertices of the corridor
     """
 
     first: int
     last: int
     gap: int
-    middle: NDArray[np.float64]
     mouth: int
     inside: NDArray[np.int64]
 
@@ -44,16 +42,16 @@ def find_inlets(
     outside: Graph,
     border: NDArray[np.int64],
     away: NDArray[np.float64],
-    room: NDArray[np.float64],
+    from_line: NDArray[np.float64],
     spacing: float,
 ) -> list[Inlet]:
     """Of a closed line on a sheet, in the order of the line.
 
-    line     (n,) its vertices
-    outside  the edges of the side that touches the boundary
-    border   the vertices of the boundary
-    away     (n,) how far the line's points are from the boundary, straight
-    room     how far every vertex is from the line
+    line       (n,) its vertices
+    outside    the edges of the side that touches the boundary
+    border     the vertices of the boundary
+    away       (n,) how far the line's points are from the boundary, straight
+    from_line  how far all vertices are from the line
     """
     walls = np.zeros(len(positions), dtype=bool)
     walls[line] = True
@@ -79,10 +77,10 @@ def find_inlets(
         if not len(inside) or taken[inside].any():  # it has another mouth
             continue
         taken[inside] = True
-        middle = (positions[line[first]] + positions[line[last]]) / 2.0
-        off = np.linalg.norm(positions[inside] - middle, axis=1)
-        mouth = int(inside[np.argmin(off - room[inside])])
-        found.append(Inlet(first, last, gap, middle, mouth, inside))
+        corners = positions[line[[first, last]]]
+        from_corners = np.linalg.norm(positions[inside][:, None] - corners, axis=2)
+        mouth = int(inside[np.argmin(from_corners.max(axis=1) - from_line[inside])])
+        found.append(Inlet(first, last, gap, mouth, inside))
     return found
 
 

@@ -253,12 +253,16 @@ class Maze:
             _, before = ways(self._graph(self.region), [begin], self._on_line)
         return way_to(end, before)
 
-    def course(self, way: NDArray[np.int64]) -> NDArray[np.float64]:
-        """A way() as points (n, 3), which begins and ends in the middle of a door: at the mouth of
-        an inlet no vertex may lie there."""
-        middles = {inlet.mouth: inlet.middle for inlet in self._inlets}
-        doors = [[middles[end]] if end in middles else [] for end in (int(way[0]), int(way[-1]))]
-        return np.vstack([*doors[0], self._cut.positions[way], *doors[1]])
+    def places(self, way: NDArray[np.int64], doors: Doors) -> NDArray[np.float64]:
+        """Of a way() between these doors, (n, 3), which begins and ends in the middle of those that
+        are in a bar."""
+        places = list(self._cut.positions[way])
+        for first, last, opened in doors.bars:
+            if opened:
+                middle = self._cut.positions[self._line[[first, last]]].mean(axis=0)
+                ends = np.linalg.norm(np.array([places[0], places[-1]]) - middle, axis=1)
+                places.insert(0 if ends[0] < ends[1] else len(places), middle)
+        return np.array(places)
 
     @cached_property
     def _inlets(self) -> list[Inlet]:

@@ -152,7 +152,7 @@ def _maze(cut: CutResult, name: str, values: Values) -> Made:
     if not doors.through:
         remark += "; the way keeps to the rim, try another variation"
     if values["solution"]:
-        way = maze.course(vertices)
+        way = maze.places(vertices, doors)
         made.append(write_way(f"{name} Solution", way, surface, matrix, _WAY * own_spacing(cut)))
     return made, remark
 
