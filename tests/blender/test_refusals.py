@@ -7,7 +7,7 @@ import math
 
 import bpy
 import pytest
-from scenes import circle_points, cube, grid, mesh_object, poly_curve, refused, sphere
+from scenes import activate, circle_points, cube, grid, mesh_object, poly_curve, refused, sphere
 
 SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
 
@@ -45,6 +45,29 @@ def moebius() -> bpy.types.Object:
 )
 def test_meshes_that_cannot_be_filled(build, word):
     assert word in refused(build(), strict=True).lower()
+
+
+@pytest.mark.parametrize("value", [math.nan, -math.nan])
+def test_a_scale_that_is_not_a_number_is_called_so(value):
+    surface = cube()
+    surface.scale.y = value
+    bpy.context.view_layer.update()
+    said = refused(surface)
+    assert "not a finite number" in said and "scaled to nothing" not in said
+
+
+@pytest.mark.parametrize("kind", ["none", "a lamp", "an empty"])
+def test_a_collection_without_meshes_is_called_so(kind):
+    collection = bpy.data.collections.new("Shown")
+    if kind != "none":
+        data = bpy.data.lights.new("Lamp", "POINT") if kind == "a lamp" else None
+        collection.objects.link(bpy.data.objects.new("Thing", data))
+    shown = bpy.data.objects.new("Shown", None)
+    shown.instance_type, shown.instance_collection = "COLLECTION", collection
+    bpy.context.scene.collection.objects.link(shown)
+    said = refused(activate(shown))
+    assert "'Shown' shows a collection without meshes; link some" in said
+    assert "Error: Object" not in said
 
 
 def test_a_spacing_larger_than_the_surface():

@@ -70,6 +70,7 @@ ELSEWHERE = {
     "is no camera; make": ("test_camera_drawing.py", "is no camera; make a camera"),
     "is in what this view layer": ("test_made_objects.py", "does not show; show 'Elsewhere'"),
     "takes panoramas": ("test_camera_drawing.py", "takes panoramas, which no page"),
+    "shows a collection without meshes": ("test_refusals.py", "shows a collection without"),
     "cannot be turned into a mesh": ("", "no object with faces refuses it; Blender's own words"),
     "cannot be written by scripts before": ("", "Blender 3.4 alone says it, and 4.2 never"),
 }
@@ -194,9 +195,10 @@ def of_surfaces(said: Said) -> None:
     said.by(lambda: mesh_faults.locate_faults(points, 0.1))
     thing = cube()
     said.by(lambda: mesh_faults.locate_faults(thing, 0.1))
-    thing.scale.x = 0.0
-    bpy.context.view_layer.update()
-    said.by(lambda: triangles_of(thing, depsgraph()))
+    for scale in (0.0, float("nan")):
+        thing.scale.x = scale
+        bpy.context.view_layer.update()
+        said.by(lambda: triangles_of(thing, depsgraph()))
     flat = grid(cells=2)
     for corner in flat.data.uv_layers.active.data:
         corner.uv = (0.5, 0.5)

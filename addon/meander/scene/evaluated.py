@@ -96,6 +96,11 @@ def mesh_of(
     try:
         mesh = evaluated.to_mesh()
     except RuntimeError as error:
+        if shows_collection(object):
+            raise DataError(
+                f"'{object.name}' shows a collection without meshes; link some to it, or choose "
+                "another object"
+            ) from error
         raise DataError(f"'{object.name}' cannot be turned into a mesh: {error}") from error
     try:
         yield mesh, world_matrix(evaluated)

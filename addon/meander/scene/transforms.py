@@ -37,8 +37,13 @@ def mean_scale(matrix: np.ndarray) -> float:
 
 
 def check_invertible(object: bpy.types.Object, matrix: np.ndarray) -> None:
+    if not np.isfinite(matrix).all():  # as a driver or a constraint leaves it
+        raise DataError(
+            f"'{object.name}' has a location, rotation or scale that is not a finite number; "
+            "correct it in the Item tab, or the driver that sets it"
+        )
     # Condition number, not determinant: a mesh in micrometres is fine, a flattened one is not.
-    if not np.isfinite(matrix).all() or np.linalg.cond(matrix[:3, :3]) > 1e6:
+    if np.linalg.cond(matrix[:3, :3]) > 1e6:
         raise DataError(
             f"'{object.name}' is scaled to nothing along an axis; give it a scale other than 0"
         )
