@@ -47,12 +47,16 @@ def _containing_package() -> str:
 if not globals().get("__package__"):
     __package__ = _containing_package()  # what relative imports go by (PEP 366)
 
-from .headless.command import (  # noqa: E402  (the package has to be known first)
-    hear_interruptions,
-    main,
-)
+try:
+    from .headless.command import hear_interruptions, main
+except KeyboardInterrupt:  # numpy alone may take a second
+    if __name__ != "__main__":
+        raise
+    print("meander: interrupted", file=sys.stderr, flush=True)
+    sys.exit(130)
 
 __all__ = ["main"]
+
 
 def end(code: int) -> NoReturn:
     """Ends the process.

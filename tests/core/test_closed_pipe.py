@@ -80,3 +80,11 @@ def test_a_standard_output_without_room_is_one_sentence(tmp_path: Path) -> None:
     assert ended.returncode == 2
     (line,) = ended.stderr.decode().splitlines()
     assert "the standard output cannot be written (No space left on device)" in line
+
+
+def test_an_interruption_while_it_begins_is_one_sentence(tmp_path: Path) -> None:
+    (tmp_path / "numpy.py").write_text("raise KeyboardInterrupt\n")
+    command, _output = _command(tmp_path)
+    environment = os.environ | {"PYTHONPATH": str(tmp_path)}
+    ended = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=60)
+    assert (ended.returncode, ended.stderr) == (130, "meander: interrupted\n")
