@@ -13,6 +13,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch
+from meander.cli import writing
 from meander.model import sheets as files
 from meander.model.files.whole import FileError
 from meander.model.toolpaths.drawing import Drawing
@@ -348,6 +349,25 @@ def test_what_cannot_be_is_one_sentence(mesh, tmp_path, monkeypatch, capsys, out
     assert_sentence(error)
     assert said in error
     assert not list(tmp_path.iterdir())
+
+
+def test_sheets_stay_as_they_were_where_another_file_cannot_be_written(
+    mesh: Path, tmp_path: Path, monkeypatch, capsys
+) -> None:
+    asked = ("--layout", "top", "--size", "380", "--sheet", "220x220", "--report")
+    output, report = tmp_path / "out.svg", tmp_path / "out.json"
+    assert run(mesh, output, *asked, report) == 0
+    sheets = {path: path.read_bytes() for path in tmp_path.glob("out*")}
+    assert len(sheets) > 3
+
+    def full(*_arguments: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(writing.report, "write_report", full)
+    assert run(mesh, output, *asked, report, "--variation", "1") == 2
+    assert "out.json cannot be written (No space left" in capsys.readouterr().err
+    assert {path: path.read_bytes() for path in tmp_path.glob("out*")} == sheets
+    assert not [path for path in tmp_path.iterdir() if path.name.startswith(".")]
 
 
 def test_no_sheet_is_written_over_what_is_read(mesh: Path, tmp_path: Path, capsys) -> None:

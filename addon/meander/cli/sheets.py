@@ -114,6 +114,9 @@ def write(
     asked, path = paper_of(arguments), arguments.output
     if asked is None:
         return None
-    done = sheets.write(path, kind, drawing, values, asked, core.library_version(), head, foot)
+    version = core.library_version()
+    done = sheets.write(
+        path, kind, drawing, values, asked, version, head, foot, arguments.written_beside
+    )
     place.say(f"meander: {sheets.described(path, done)}")
     return sheets.entry(path, done)

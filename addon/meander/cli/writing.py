@@ -106,7 +106,7 @@ def write_outputs(
     if len(grown.curve.positions) > LARGE:
         place.say(f"meander: writing {arguments.output}")
     with whole_files([path for path in wanted if path is not None]) as temporary:
-        paths = iter(temporary)
+        paths, arguments.written_beside = iter(temporary), temporary
         with naming(arguments.output):
             done = _write_curve(next(paths), arguments, given, grown, place)
         line, record["drawing"] = done.line, done.drawing

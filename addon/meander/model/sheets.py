@@ -6,12 +6,13 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
 from . import export
 from .files.rows import write_pieces
-from .files.whole import naming, whole_files
+from .files.whole import Whole, naming, whole_files
 from .options.option import Values
 from .toolpaths.drawing import Drawing
 from .toolpaths.sheets import Paper, Sheet, Sheets, sheets_of
@@ -45,20 +46,23 @@ def write(
     version: str,
     head: Sequence[str] | None = None,
     foot: Sequence[str] | None = None,
+    beside: Whole | None = None,
 ) -> Sheets:
     """Writes the sheets of a drawing, all of them or none, into files beside that of the whole.
 
-    path   of the whole; see export.write() for the rest
+    path     of the whole; see export.write() for the rest
+    beside   other files, with which they become files; None: they do by themselves
 
     Raises FileError.
     """
     sheets = sheets_of(drawing, paper, values["arc_tolerance"])
-    paths = [file_of(path, sheet) for sheet in sheets.drawn]
-    with whole_files(paths) as temporary:
-        for name, place, sheet in zip(paths, temporary, sheets.drawn, strict=True):
+    with whole_files([]) if beside is None else nullcontext(beside) as files:
+        for sheet in sheets.drawn:
+            name = file_of(path, sheet)
             pieces = export.pieces_of(
                 kind, sheet.drawing, values, name.stem, version, path.suffix, head, foot
             )
+            place = files.begin(name)
             with naming(name):
                 write_pieces(place, pieces)
     return sheets

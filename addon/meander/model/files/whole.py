@@ -109,23 +109,37 @@ def whole_file(path: Path) -> Iterator[Path]:
         yield temporary
 
 
+class Whole(list[Path]):
+    """Temporary paths of files that become files together, as whole_files() gives them."""
+
+    def __init__(self, stack: ExitStack) -> None:
+        super().__init__()
+        self.begun: list[_Begun] = []
+        self._stack = stack
+
+    def begin(self, path: Path) -> Path:
+        """The temporary path of one more, which takes its name before those that are there."""
+        with naming(path):
+            self.begun.insert(0, self._stack.enter_context(_begun(path)))
+        return self.begun[0].temporary
+
+
 @contextmanager
-def whole_files(paths: Sequence[Path]) -> Iterator[list[Path]]:
+def whole_files(paths: Sequence[Path]) -> Iterator[Whole]:
     """The same for several: none becomes a file before all of them are on their disks.
 
     They take their names in the order of `paths`, one after the other: who finds the last one finds
     all of them. An OSError of the block is for the writer to put into words: see `naming`.
     """
     with ExitStack() as stack:
-        begun = []
-        for path in paths:
-            with naming(path):
-                begun.append(stack.enter_context(_begun(path)))
-        yield [each.temporary for each in begun]
-        for each in begun:
+        whole = Whole(stack)
+        whole += [whole.begin(path) for path in paths]
+        whole.begun.reverse()
+        yield whole
+        for each in whole.begun:
             with naming(each.path):
                 each.complete()
-        for each in begun:
+        for each in whole.begun:
             with naming(each.path):
                 each.move()
 
