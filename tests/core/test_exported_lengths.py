@@ -123,3 +123,27 @@ def test_the_file_is_as_long_as_the_curve(tmp_path: Path, export: Export) -> Non
     length, pieces = (of_table if output.suffix in (".csv", ".json") else walk)(output)
     assert length == pytest.approx(export.times * figures["length"], rel=export.within)
     assert pieces == (export.pieces or math.ceil(figures["length"] / 2.5))
+
+
+@pytest.mark.parametrize(
+    "words",
+    [(), ("--resample-step", "0.2"), ("--chord-tolerance", "0.02"), ("--go-on-from", "0", "0", "1")]
+    + [("--part-length", "2", "--part-overlap", overlap) for overlap in ("-0.5", "0.5")]
+    + [("--round", "0.3"), ("--light", "0.1"), ("--bridge",)],
+    ids=" ".join,
+)
+def test_the_report_has_the_length_of_the_line_in_a_table(
+    words: tuple[str, ...], tmp_path: Path, capsys
+) -> None:
+    mesh = geometry.write_obj(tmp_path / "mesh.obj", geometry.two_spheres())
+    given = ["--input", mesh, "--output", tmp_path / "a.json", "--report", tmp_path / "r.json"]
+    given += ["--spacing", "0.4", "--iterations", "40", "--fill-every-part", *words]
+    assert batch.main([str(word) for word in given]) == 0
+    length = 0.0
+    for strand in json.loads((tmp_path / "a.json").read_text())["strands"]:
+        points = np.array(strand["points"])
+        ring = np.vstack([points, points[:1]]) if strand["closed"] else points
+        length += np.linalg.norm(np.diff(ring, axis=0), axis=1).sum()
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert report["length"] == pytest.approx(length, rel=1e-9)
+    assert f"length {length:.6g}" in capsys.readouterr().out

@@ -70,6 +70,7 @@ def _run_through(arguments: argparse.Namespace, place: Place) -> None:
         if not arguments.fail_on_gaps:  # which says it at the end
             place.warn(record["warnings"][-1])
     write_outputs(arguments, given, grown, record, place)
+    figures["length"] = record["length"]
     for line in _remarks(given, opened, figures, record, empty):
         place.say(f"meander: {line}")
     for path in (arguments.output, arguments.cut, *grown.images):

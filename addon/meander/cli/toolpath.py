@@ -16,6 +16,7 @@ from ..model import before_writing, export
 from ..model.files.whole import FileError
 from ..model.geometry import surface_crossings, thinning
 from ..model.toolpaths import order, parts, poses, toolpath
+from ..model.toolpaths.drawing import ring
 from . import export as export_options
 from . import flags
 from .grown import Grown
@@ -188,9 +189,10 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
 
 def write(
     path: Path, arguments: argparse.Namespace, given: Input, grown: Grown, place: Place
-) -> tuple[int, dict[str, Any] | None, NDArray[np.float64] | None]:
+) -> tuple[int, dict[str, Any] | None, NDArray[np.float64] | None, float | None]:
     """Writes the curve, resampled as the options say. Returns the number of points in the file, the
-    report's "drawing", if it is one, and else where a curve of fewer points crosses itself."""
+    report's "drawing", if it is one, and else where a curve of fewer points crosses itself, and how
+    long it is."""
     strands = in_space = toolpath.strands_of(grown.curve, grown.data)
     kind = export.format_of(arguments.output)
     drawn = kind is not None
@@ -219,22 +221,24 @@ def write(
         done = export_options.write(
             path, arguments, strands, given, place, spacing, line, frames, rate
         )
-        return *done, places
+        return *done, places, None
     if ordered.go_on is not None:
         strands = order.gone_on(strands, ordered.go_on, mesh)
         if not strands:
             raise FileError(order.NOTHING_LEFT)
     if ordered.backwards:
         strands = order.backwards(strands)
+    ways = [ring(strand) for strand in strands]
+    length = float(sum(np.linalg.norm(np.diff(way, axis=0), axis=1).sum() for way in ways))
     if arguments.poses:
         given_poses = [
             poses.poses_of(strand, arguments.standoff or 0.0, arguments.approach or 0.0)
             for strand in strands
         ]
         poses.write(path, given_poses, core.library_version())
-        return sum(len(each.places) for each in given_poses), None, places
+        return sum(len(each.places) for each in given_poses), None, places, length
     toolpath.write(path, strands, core.library_version())
-    return sum(len(strand.points) for strand in strands), None, places
+    return sum(len(strand.points) for strand in strands), None, places, length
 
 
 def _frames(

@@ -48,12 +48,15 @@ class Written(NamedTuple):
     line        what was joined; None: nothing
     crossings   (k, 3), where a curve of fewer points than all crosses itself; None: it has them all
     drawing     the report's "drawing", if it is one
+    length      of the line in a table, which may have fewer points than all; None: it has them, or
+                the drawing says it
     """
 
     count: int
     line: bridges.Joined | None
     crossings: NDArray[np.float64] | None
     drawing: dict[str, Any] | None = None
+    length: float | None = None
 
 
 def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input) -> dict[str, Any]:
@@ -110,6 +113,8 @@ def write_outputs(
         with naming(arguments.output):
             done = _write_curve(next(paths), arguments, given, grown, place)
         line, record["drawing"] = done.line, done.drawing
+        if done.length is not None:
+            record["length"] = done.length
         counts = {"all": len(grown.curve.positions), "written": done.count}
         record["points"] = counts | surface_crossings.figures(done.crossings)
         warning = surface_crossings.crossing_warning(done.crossings)
@@ -175,8 +180,8 @@ def _write_curve(
         return Written(*place.blender(arguments.output).write_scene(path, arguments, given, grown))
     grown = written(grown, arguments, given.problem)
     if toolpath_options.is_wanted(arguments.output):
-        count, drawing, places = toolpath_options.write(path, arguments, given, grown, place)
-        return Written(count, grown.line, places, drawing)
+        count, drawing, *rest = toolpath_options.write(path, arguments, given, grown, place)
+        return Written(count, grown.line, rest[0], drawing, rest[1])
     obj.write_obj_curve(path, grown.curve, pairs=arguments.lines == "pairs")
     places = None
     if light_of(flags.chosen(arguments)) is not None:
