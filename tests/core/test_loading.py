@@ -71,6 +71,13 @@ def test_missing_file(load_from, tmp_path: Path) -> None:
     assert "missing" in load_from(tmp_path / "libmeander.so")
 
 
+def test_a_folder_or_a_pipe_in_its_place(load_from, tmp_path: Path) -> None:
+    assert "names, is a folder; correct" in load_from(tmp_path)
+    if hasattr(os, "mkfifo"):
+        os.mkfifo(tmp_path / "pipe.so")
+        assert "names, is no file; correct" in load_from(tmp_path / "pipe.so")
+
+
 def test_no_library_at_all(load_from, tmp_path: Path) -> None:
     path = tmp_path / "libmeander.so"
     path.write_text("not a library")

@@ -70,8 +70,9 @@ def library_notice() -> str:
 def _refuse_missing(path: Path) -> None:
     """Raises the sentence about a library that is not there."""
     if os.environ.get(LIBRARY_VARIABLE):
+        what = "a folder" if path.is_dir() else "no file" if path.exists() else "missing"
         raise MeanderError(
-            f"the native library {path}, which {LIBRARY_VARIABLE} names, is missing; correct that "
+            f"the native library {path}, which {LIBRARY_VARIABLE} names, is {what}; correct that "
             "variable or unset it",
             STATUS_NO_LIBRARY,
         )
