@@ -67,6 +67,26 @@ def cube() -> Mesh:
     return mesh(corners, faces)
 
 
+def octahedron() -> Mesh:
+    """A closed surface with coordinates that no format rounds."""
+    corners = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+    faces = [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)]
+    return mesh(corners, faces)
+
+
+def tube(around: int, along: int, height: float) -> Mesh:
+    """A pipe of radius 1, open at both ends."""
+    angles = 2 * np.pi * np.arange(around) / around
+    levels = np.linspace(0.0, height, along + 1)
+    vertices = [[np.cos(a), np.sin(a), z] for z in levels for a in angles]
+    faces = []
+    for j in range(along):
+        for i in range(around):
+            a, b = j * around + i, j * around + (i + 1) % around
+            faces += [[a, b, b + around], [a, b + around, a + around]]
+    return mesh(vertices, faces)
+
+
 def icosphere(subdivisions: int) -> Mesh:
     """A unit sphere of 20 * 4^subdivisions faces."""
     g = (1 + 5**0.5) / 2
@@ -243,11 +263,16 @@ def _cross(a: NDArray, b: NDArray) -> NDArray:
     return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
 
 
+def triangle_areas(vertices: NDArray, faces: NDArray) -> NDArray[np.float64]:
+    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+
+
 def sample_surface(surface: Mesh, count: int, seed: int = 1) -> NDArray[np.float64]:
     """Random points on a surface, evenly by area."""
     random = np.random.default_rng(seed)
     a, b, c = (surface.vertices[surface.faces[:, corner]] for corner in range(3))
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    area = triangle_areas(*surface)
     face = random.choice(len(area), count, p=area / area.sum())
     u, v = random.random((2, count, 1))
     flip = u + v > 1

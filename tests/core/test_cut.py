@@ -6,6 +6,7 @@ from __future__ import annotations
 import geometry
 import numpy as np
 import pytest
+from geometry import triangle_areas
 from meander import core
 
 
@@ -16,11 +17,6 @@ def grown(mesh: geometry.Mesh, radius: float, seed: core.Seed | None = None) -> 
         flow = core.Flow(surface, options, seed)
     flow.run()
     return flow
-
-
-def areas(positions: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    a, b, c = (positions[faces[:, k]] for k in range(3))
-    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
 
 
 def check(mesh: geometry.Mesh, flow: core.Flow, cut: core.CutSurface) -> None:
@@ -38,8 +34,8 @@ def check(mesh: geometry.Mesh, flow: core.Flow, cut: core.CutSurface) -> None:
         rtol=0,
         atol=1e-12,
     )
-    share = np.bincount(cut.origins, areas(cut.positions, cut.faces), len(mesh.faces))
-    assert np.allclose(share, areas(mesh.vertices, mesh.faces), rtol=1e-9)
+    share = np.bincount(cut.origins, triangle_areas(cut.positions, cut.faces), len(mesh.faces))
+    assert np.allclose(share, triangle_areas(*mesh), rtol=1e-9)
     # Every edge once in each direction: watertight.
     edges = np.concatenate([cut.faces[:, (k, (k + 1) % 3)] for k in range(3)]).astype(np.int64)
     n = len(cut.positions)
@@ -67,7 +63,7 @@ def test_a_curve_parts_a_coarse_cube_in_two() -> None:
         check(mesh, flow, cut)
         assert cut.regions.max() == 1
         # Both sides are as wide.
-        sides = [areas(cut.positions, cut.faces[cut.sides == k]).sum() for k in (1, -1)]
+        sides = [triangle_areas(cut.positions, cut.faces[cut.sides == k]).sum() for k in (1, -1)]
         assert sides[0] == pytest.approx(sides[1], rel=0.05)
     # Most of the ridges are r from the curve, as in the middle between turns.
     ridge = np.percentile(fine.distances, 95)

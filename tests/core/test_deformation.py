@@ -1,25 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A moving surface whose prepared part alone is filled."""
 
+import geometry
 import numpy as np
 import pytest
 from meander import core
 
 
-def _tube(around=28, along=22, height=5.0):
-    angles = 2 * np.pi * np.arange(around) / around
-    levels = np.linspace(0.0, height, along + 1)
-    vertices = np.array([[np.cos(a), np.sin(a), z] for z in levels for a in angles])
-    faces = []
-    for j in range(along):
-        for i in range(around):
-            a, b = j * around + i, j * around + (i + 1) % around
-            faces += [[a, b, b + around], [a, b + around, a + around]]
-    return vertices, np.array(faces, dtype=np.uint32)
-
-
 def test_a_prepared_part_of_a_mesh_follows_the_whole_mesh():
-    vertices, faces = _tube()
+    vertices, faces = geometry.tube(28, 22, 5.0)
     heights = vertices[:, 2].copy()
     preparation = core.SurfaceOptions(vertex_mask=5.0 - heights, mask_threshold=1.9)
     options = core.default_options()

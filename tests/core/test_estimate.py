@@ -47,9 +47,7 @@ def points_of_run(vertices, faces, options, density=None, face_mask=None) -> tup
         with core.Flow(surface, options, None, density) as flow:
             assert flow.run() == "converged"
             curve = flow.polylines()
-    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2.0
-    return len(curve.positions), filled / area
+    return len(curve.positions), filled / geometry.triangle_areas(vertices, faces).sum()
 
 
 @pytest.mark.parametrize("preset", ["even", "paper"])

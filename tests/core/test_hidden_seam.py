@@ -9,10 +9,10 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
+import test_mirror
 from meander import core
 from meander.model.geometry.half_mesh import section
 from meander.model.geometry.reflection import mirror_of
-from meander.model.mirror_whole import whole_of
 from meander.model.opening import open_flow
 from meander.model.problem import Problem, begin_along_directions
 from sentences import assert_sentence
@@ -24,23 +24,8 @@ ALIKE = 7.0
 
 def filled(mesh: geometry.Mesh, spacing: float, hide: bool = True, **changes) -> Filled:
     """A run with symmetry to its end, as the panel and the command begin it."""
-    options = core.default_options("even")
-    options.radius = spacing / 2
-    for name in [name for name in changes if hasattr(options, name)]:
-        setattr(options, name, changes.pop(name))
     mirror = mirror_of("x", None, hide)
-    problem = Problem(mesh.vertices, mesh.faces, options, mirror=mirror, **changes)
-    begin_along_directions(problem)
-    opened = open_flow(problem)
-    with opened.flow as flow:
-        flow.run()
-        whole = whole_of(opened.part, flow, options)
-        with whole.flow as of_whole:
-            return Filled(
-                mesh, spacing, opened.part.mirror,
-                of_whole.polylines(), of_whole.point_data(), of_whole.guides(),
-                whole.statistics(opened.part, flow), whole.figures(opened.part), whole.sources,
-            )  # fmt: skip
+    return test_mirror.filled(mesh, spacing, mirror, begin_along_directions, **changes)
 
 
 def seam(run: Filled) -> float:

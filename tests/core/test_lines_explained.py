@@ -14,7 +14,6 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch
-from numpy.typing import NDArray
 
 SPACING = 0.2
 
@@ -124,11 +123,7 @@ def written(path: Path, pieces: tuple[geometry.Mesh, ...]) -> Path:
 
 
 def area_of(pieces: tuple[geometry.Mesh, ...]) -> float:
-    def of(corners: NDArray[np.float64]) -> float:
-        a, b, c = corners.transpose(1, 0, 2)
-        return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2.0)
-
-    return sum(of(piece.vertices[piece.faces.astype(np.int64)]) for piece in pieces)
+    return sum(float(geometry.triangle_areas(*piece).sum()) for piece in pieces)
 
 
 @pytest.mark.parametrize("brought", BROUGHT, ids=lambda brought: brought.title)

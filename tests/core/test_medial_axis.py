@@ -50,14 +50,9 @@ def grown(mesh: geometry.Mesh, *arguments, **named) -> core.Flow:
 def places_on(mesh: geometry.Mesh, count: int = 3000) -> tuple[NDArray, NDArray]:
     """Random points on a surface, evenly by area, and their faces."""
     random = np.random.default_rng(4)
-    areas = areas_of(mesh)
+    areas = geometry.triangle_areas(*mesh)
     faces = random.choice(len(areas), count, p=areas / areas.sum())
     return geometry.points_at(mesh, faces, random.dirichlet([1, 1, 1], count)), faces
-
-
-def areas_of(mesh: geometry.Mesh) -> NDArray[np.float64]:
-    a, b, c = np.moveaxis(mesh.vertices[mesh.faces], 1, 0)
-    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
 
 
 def distances_to(
@@ -70,7 +65,7 @@ def distances_to(
 
 def packing(flow: core.Flow, mesh: geometry.Mesh) -> float:
     figures = flow.statistics()
-    return figures["spacing_target"] * figures["length"] / areas_of(mesh).sum()
+    return figures["spacing_target"] * figures["length"] / geometry.triangle_areas(*mesh).sum()
 
 
 def on_lower_side(mesh: geometry.Mesh, faces: NDArray) -> NDArray[np.bool_]:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -40,15 +41,26 @@ class Filled:
         return geometry.crossings(self.mesh, curve.positions, curve.offsets, curve.closed)
 
 
-def filled(mesh: geometry.Mesh, spacing: float, mirror: Mirror | str = "x", **changes) -> Filled:
-    """A run with symmetry to its end; `changes` are options, and parts of a problem."""
+def filled(
+    mesh: geometry.Mesh,
+    spacing: float,
+    mirror: Mirror | str = "x",
+    begin: Callable[[Problem], object] = lambda problem: None,
+    **changes,
+) -> Filled:
+    """A run with symmetry to its end; `changes` are options, and parts of a problem.
+
+    begin   called with the problem before it is opened
+    """
     options = core.default_options(changes.pop("preset", "even"))
     options.radius = spacing / 2
     for name in [name for name in changes if hasattr(options, name)]:
         setattr(options, name, changes.pop(name))
     if isinstance(mirror, str):
         mirror = mirror_of(mirror)
-    opened = open_flow(Problem(mesh.vertices, mesh.faces, options, mirror=mirror, **changes))
+    problem = Problem(mesh.vertices, mesh.faces, options, mirror=mirror, **changes)
+    begin(problem)
+    opened = open_flow(problem)
     with opened.flow as flow:
         flow.run()
         whole = whole_of(opened.part, flow, options)

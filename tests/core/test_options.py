@@ -141,41 +141,29 @@ def test_what_is_chosen_reaches_the_flow() -> None:
 
 
 @pytest.mark.parametrize(
-    ("preset", "word", "measure"),
+    ("preset", "flag", "word", "chosen"),
     [
-        ("even", None, "GEODESIC"),
-        ("finest", "preset", "GEODESIC"),
-        ("paper", None, "EUCLIDEAN"),
-        ("paper", "geodesic", "GEODESIC"),
-        ("even", "surface", "GEODESIC"),
-        ("finest", "euclidean", "EUCLIDEAN"),
+        ("even", "--medial-axis", None, core.MedialAxis.GEODESIC),
+        ("finest", "--medial-axis", "preset", core.MedialAxis.GEODESIC),
+        ("paper", "--medial-axis", None, core.MedialAxis.EUCLIDEAN),
+        ("paper", "--medial-axis", "geodesic", core.MedialAxis.GEODESIC),
+        ("even", "--medial-axis", "surface", core.MedialAxis.GEODESIC),
+        ("finest", "--medial-axis", "euclidean", core.MedialAxis.EUCLIDEAN),
+        ("even", "--start", None, core.Start.GROW),
+        ("even", "--start", "full", core.Start.FULL),
+        ("finest", "--start", None, core.Start.FULL),
+        ("finest", "--start", "preset", core.Start.FULL),
+        ("finest", "--start", "grow", core.Start.GROW),
+        ("paper", "--start", None, core.Start.GROW),
     ],
 )
-def test_distances_are_the_presets_or_as_the_flag_says(
-    preset: str, word: str | None, measure: str
+def test_a_choice_is_the_presets_or_as_the_flag_says(
+    preset: str, flag: str, word: str | None, chosen: core.MedialAxis | core.Start
 ) -> None:
     given = ["--input", "a.obj", "--output", "b.obj", "--spacing", "1", "--preset", preset]
-    arguments = PARSER.parse_args(given + (["--medial-axis", word] if word else []))
-    assert flow_options(arguments).medial_axis == core.MedialAxis[measure]
-
-
-@pytest.mark.parametrize(
-    ("preset", "word", "start"),
-    [
-        ("even", None, "GROW"),
-        ("even", "full", "FULL"),
-        ("finest", None, "FULL"),
-        ("finest", "preset", "FULL"),
-        ("finest", "grow", "GROW"),
-        ("paper", None, "GROW"),
-    ],
-)
-def test_the_start_is_the_presets_or_as_the_flag_says(
-    preset: str, word: str | None, start: str
-) -> None:
-    given = ["--input", "a.obj", "--output", "b.obj", "--spacing", "1", "--preset", preset]
-    arguments = PARSER.parse_args(given + (["--start", word] if word else []))
-    assert flow_options(arguments).start == core.Start[start]
+    arguments = PARSER.parse_args(given + ([flag, word] if word else []))
+    name = flag.removeprefix("--").replace("-", "_")
+    assert getattr(flow_options(arguments), name) == chosen
 
 
 @pytest.mark.parametrize(

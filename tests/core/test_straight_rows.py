@@ -17,12 +17,17 @@ BAR = 0.02
 BAR_BESIDE_TURNS = 0.04
 
 
-def rows_of(points: np.ndarray) -> list[np.ndarray]:
-    """The pieces of a closed line that lead along x, without their turns, sampled evenly."""
+def evenly(points: np.ndarray) -> np.ndarray:
+    """Points along a closed line, a twentieth of the spacing apart."""
     points = np.vstack([points, points[:1]])
     arcs = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
     places = np.arange(0.0, arcs[-1], 0.05 * SPACING)
-    even = np.column_stack([np.interp(places, arcs, points[:, axis]) for axis in range(2)])
+    return np.column_stack([np.interp(places, arcs, values) for values in points.T])
+
+
+def rows_of(points: np.ndarray) -> list[np.ndarray]:
+    """The pieces of a closed line that lead along x, without their turns, sampled evenly."""
+    even = evenly(points[:, :2])
     ways = np.gradient(even, axis=0)
     turns = np.abs(ways[:, 0]) < np.cos(np.radians(25.0)) * np.linalg.norm(ways, axis=1)
     reach = int(BEYOND / 0.05)
@@ -67,10 +72,7 @@ SHAPES = {
 
 def sharpest(points: np.ndarray) -> float:
     """By how much a closed line turns at most within .3 spacings, in degrees."""
-    points = np.vstack([points, points[:1]])
-    arcs = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
-    places = np.arange(0.0, arcs[-1], 0.05 * SPACING)
-    even = np.column_stack([np.interp(places, arcs, points[:, axis]) for axis in range(3)])
+    even = evenly(points)
     before, after = even - np.roll(even, 3, axis=0), np.roll(even, -3, axis=0) - even
     lengths = np.linalg.norm(before, axis=1) * np.linalg.norm(after, axis=1)
     return float(

@@ -8,6 +8,7 @@ import subprocess
 import zipfile
 from pathlib import Path
 
+import geometry
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -98,18 +99,10 @@ def test_fills_with_the_operator(installed: tuple[Blender, Path]) -> None:
     assert 0.8 < found["length"] * found["spacing"] / found["area"] < 1.2
 
 
-def write_octahedron(path: Path) -> None:
-    corners = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
-    faces = [(1, 3, 5), (3, 2, 5), (2, 4, 5), (4, 1, 5), (3, 1, 6), (2, 3, 6), (4, 2, 6), (1, 4, 6)]
-    lines = [f"v {x} {y} {z}" for x, y, z in corners]
-    lines += [f"f {a} {b} {c}" for a, b, c in faces]
-    path.write_text("\n".join(lines) + "\n")
-
-
 def test_batch_command_of_the_installed_addon(installed: tuple[Blender, Path]) -> None:
     blender, addon = installed
     work = blender.folder / "work"
-    write_octahedron(work / "octahedron.obj")
+    geometry.write_obj(work / "octahedron.obj", geometry.octahedron())
     done = blender.run(
         addon / "batch.py",
         "--input", work / "octahedron.obj", "--output", work / "curve.obj",

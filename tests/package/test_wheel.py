@@ -20,6 +20,7 @@ import zipfile
 from email.parser import Parser
 from pathlib import Path
 
+import geometry
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -73,13 +74,7 @@ def installed(
 
 @pytest.fixture
 def ball(installed: Environment) -> Path:
-    """A closed mesh with coordinates that no format rounds."""
-    corners = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
-    faces = [(1, 3, 5), (3, 2, 5), (2, 4, 5), (4, 1, 5), (3, 1, 6), (2, 3, 6), (4, 2, 6), (1, 4, 6)]
-    path = installed.work / "ball.obj"
-    lines = [f"v {x} {y} {z}" for x, y, z in corners] + [f"f {a} {b} {c}" for a, b, c in faces]
-    path.write_text("\n".join(lines) + "\n")
-    return path
+    return geometry.write_obj(installed.work / "ball.obj", geometry.octahedron())
 
 
 def test_a_library_that_is_cut_off_is_one_sentence_for_who_has_a_wheel(

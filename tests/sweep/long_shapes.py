@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+import geometry
 import numpy as np
 from geometry import Mesh
 from numpy.typing import NDArray
@@ -214,5 +215,4 @@ def square(area: float, pieces: int) -> Mesh:
 
 
 def area_of(mesh: Mesh) -> float:
-    a, b, c = (mesh.vertices[mesh.faces[:, corner]] for corner in range(3))
-    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+    return float(geometry.triangle_areas(*mesh).sum())

@@ -29,8 +29,7 @@ def shape(function: Shape) -> Shape:
 
 def area_of(mesh: Mesh) -> float:
     """The area of all faces."""
-    a, b, c = (mesh.vertices[mesh.faces[:, corner]] for corner in range(3))
-    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+    return float(geometry.triangle_areas(*mesh).sum())
 
 
 def nominal_radius(mesh: Mesh) -> float:
