@@ -48,24 +48,21 @@ struct Scene {
 
 std::vector<Mesh> meshes() { return {sphere(2), torus(20, 10), with_noise(sphere(2), 0.2, 4)}; }
 
+void expect_energy_of_model(const Scene& s) {
+  const LiteralModel model(s.surface, s.curve, s.radii, s.frames, s.metric, s.weights);
+  const double expected = model.energy(Eigen::VectorXd::Zero(3 * s.curve.size()));
+  EXPECT_NEAR(energy(s.curve, s.radii, s.metric, s.weights, s.pool), expected, kRounding * std::abs(expected));
+}
+
 TEST(Energy, IsTheModelWhereNothingMoves) {
-  for (const Mesh& mesh : meshes()) {
-    const Scene s(mesh, 51);
-    const LiteralModel model(s.surface, s.curve, s.radii, s.frames, s.metric, s.weights);
-    const double expected = model.energy(Eigen::VectorXd::Zero(3 * s.curve.size()));
-    EXPECT_NEAR(energy(s.curve, s.radii, s.metric, s.weights, s.pool), expected,
-                kRounding * std::abs(expected));
-  }
+  for (const Mesh& mesh : meshes()) expect_energy_of_model(Scene(mesh, 51));
 }
 
 TEST(Energy, OfTheFieldIsTheModelsWhereNothingMoves) {
   for (const Mesh& mesh : meshes()) {
     Scene s(mesh, 54);
     s.align();
-    const LiteralModel model(s.surface, s.curve, s.radii, s.frames, s.metric, s.weights);
-    const double expected = model.energy(Eigen::VectorXd::Zero(3 * s.curve.size()));
-    EXPECT_NEAR(energy(s.curve, s.radii, s.metric, s.weights, s.pool), expected,
-                kRounding * std::abs(expected));
+    expect_energy_of_model(s);
   }
 }
 

@@ -151,10 +151,25 @@ Mesh toothed_disc(uint32_t teeth, double depth) {
   return mesh;
 }
 
+std::shared_ptr<const Surface> shared(const Mesh& mesh) { return std::make_shared<const Surface>(make_surface(mesh)); }
+
+/// From a stroke, or from nothing.
+Flow flow_of(const std::shared_ptr<const Surface>& surface, const std::vector<Line>& strokes = {}, bool full = false,
+             double spacing = kSpacing) {
+  FlowSettings settings = checked_settings(options_of(spacing), *surface);
+  if (full) settings.full_start = true;
+  const SeedStrands seed = seed_of(strokes, false);
+  return Flow(surface, strokes.empty() ? nullptr : &seed, {}, settings);
+}
+
+Line stroke(const Vec3& from, const Vec3& to) { return Line{{from, to}, false, false, false}; }
+
 /// The share of the surface's area that is farther than 1.6 r from the curve, through space: these surfaces lie flat,
 /// or are tubes. Points of the curve are a tenth of r apart.
-double empty_share(const Surface& s, const Curve& curve, double r) {
-  const double reach = 1.6 * r;
+double empty_share(const Flow& flow) {
+  const Surface& s = flow.surface();
+  const Curve& curve = flow.curve();
+  const double r = flow.settings().radius, reach = 1.6 * r;
   std::map<std::array<int64_t, 3>, std::vector<Vec3>> cells;
   const auto cell = [&](const Vec3& p) {
     return std::array{static_cast<int64_t>(std::floor(p.x() / reach)), static_cast<int64_t>(std::floor(p.y() / reach)),
@@ -205,6 +220,14 @@ double empty_share(const Surface& s, const Curve& curve, double r) {
   return empty / all;
 }
 
+/// Runs to its end, in fewer iterations than `limit`.
+void expect_filled(Flow flow, size_t limit = SIZE_MAX, double most_empty = 0.001) {
+  EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+  EXPECT_LT(flow.history().size(), limit);
+  EXPECT_TRUE(exact_crossings(flow.surface(), flow.curve()).empty());
+  EXPECT_LT(empty_share(flow), most_empty);
+}
+
 struct Long {
   const char* name;
   Mesh mesh;
@@ -212,7 +235,6 @@ struct Long {
 };
 
 std::vector<Long> long_surfaces() {
-  const auto stroke = [](const Vec3& a, const Vec3& b) { return Line{{a, b}, false, false, false}; };
   return {
       {"strip of 400 x 4", strip(40, 0.4, 80), stroke({0.1, 0, 0}, {0.4, 0, 0})},
       {"strip of 400 x 4, of one quad", strip(40, 0.4, 1), stroke({0.1, 0, 0}, {0.4, 0, 0})},
@@ -239,16 +261,15 @@ class FilledLong : public testing::TestWithParam<size_t> {};
 
 TEST_P(FilledLong, FromAStrokeAndFromNothing) {
   const Long shape = long_surfaces().at(GetParam());
-  const auto surface = std::make_shared<const Surface>(make_surface(shape.mesh));
+  const auto surface = shared(shape.mesh);
   for (const bool drawn : {false, true}) {
     SCOPED_TRACE(std::string(shape.name) + (drawn ? ", a stroke" : ""));
-    const SeedStrands seed = seed_of({shape.stroke}, false);
-    Flow flow(surface, drawn ? &seed : nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+    Flow flow = flow_of(surface, drawn ? std::vector{shape.stroke} : std::vector<Line>{});
     EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
     ASSERT_TRUE(whole(*surface, flow.curve()));
-    EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+    EXPECT_TRUE(exact_crossings(flow.surface(), flow.curve()).empty());
     EXPECT_EQ(flow.curve().strands.size(), 1u);
-    EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+    EXPECT_LT(empty_share(flow), 0.001);
   }
 }
 
@@ -266,47 +287,24 @@ TEST(Filled, WhatHasALongBoundaryIsNoStrip) {
   }
 }
 
-TEST(Filled, AStripOfTwoSpacingsFromNothing) {
-  const auto surface = std::make_shared<const Surface>(make_surface(strip(20, 2 * kSpacing, 60)));
-  Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
-  EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
-  EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
-  EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
-}
+TEST(Filled, AStripOfTwoSpacingsFromNothing) { expect_filled(flow_of(shared(strip(20, 2 * kSpacing, 60)))); }
 
 /// Tips that swing between the boundary and a strand, and never by less, come to rest in the end.
 TEST(Filled, WhatSwingsComesToRest) {
-  const auto surface = std::make_shared<const Surface>(make_surface(strip(1, 2 * kSpacing, 1)));
   for (const bool full : {false, true}) {
     SCOPED_TRACE(full);
-    FlowSettings settings = checked_settings(options_of(kSpacing), *surface);
-    settings.full_start = full;
-    Flow flow(surface, nullptr, {}, settings);
-    EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
-    EXPECT_LT(flow.history().size(), 250u);
-    EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+    expect_filled(flow_of(shared(strip(1, 2 * kSpacing, 1)), {}, full), 250);
   }
 }
 
 /// Two strands along a strip lie as far from each other as from its sides, and nothing bends them.
-TEST(Filled, StrandsInBalanceArePushed) {
-  const auto surface = std::make_shared<const Surface>(make_surface(strip(80, 3.4 * kSpacing, 200)));
-  Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
-  EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
-  EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
-  EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
-}
+TEST(Filled, StrandsInBalanceArePushed) { expect_filled(flow_of(shared(strip(80, 3.4 * kSpacing, 200)))); }
 
 /// It lies alone in the middle of what is two spacings wide: along all of a short strip, and at the wide end of a
 /// needle only.
 TEST(Filled, AShortStrokeAloneHasAWayBack) {
-  const SeedStrands seed = seed_of({Line{{{0.03, 0, 0}, {0.09, 0.002, 0}}, false, false, false}}, false);
   for (const Mesh& mesh : {strip(1, 2 * kSpacing, 100), needle(1, 2 * kSpacing, 1)}) {
-    const auto surface = std::make_shared<const Surface>(make_surface(mesh));
-    Flow flow(surface, &seed, {}, checked_settings(options_of(kSpacing), *surface));
-    EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
-    EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
-    EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+    expect_filled(flow_of(shared(mesh), {stroke({0.03, 0, 0}, {0.09, 0.002, 0})}));
   }
 }
 
@@ -329,44 +327,26 @@ TEST(Filled, AShortStrokeOnAPatch) {
   };
   for (const Case& c : cases) {
     SCOPED_TRACE(c.width);
-    const auto surface = std::make_shared<const Surface>(make_surface(strip(c.length, c.width, c.n)));
-    const SeedStrands seed = seed_of({Line{{c.from, c.to}, false, false, false}}, false);
-    FlowSettings settings = checked_settings(options_of(1), *surface);
-    settings.full_start = c.full;
-    Flow flow(surface, &seed, {}, settings);
-    EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
-    EXPECT_LT(flow.history().size(), 400u);
-    EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
-    EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+    expect_filled(flow_of(shared(strip(c.length, c.width, c.n)), {stroke(c.from, c.to)}, c.full, 1), 400);
   }
 }
 
-/// On a polygon of seventeen corners a turn laid lines end at every corner, and ends of a stroke run on over the gaps.
+/// On a polygon of seventeen corners a turn laid lines end at every corner, and ends of a stroke run on over the gaps:
+/// 310 iterations where it crawls over them.
 TEST(Filled, AStrokeRunsThroughALongSpiral) {
-  const auto surface = std::make_shared<const Surface>(make_surface(spiral(11.6, 0.16, 0.8 * kSpacing, 200)));
-  const SeedStrands seed = seed_of({Line{{{0.16, 0.005, 0}, {0.16, 0.03, 0}}, false, false, false}}, false);
-  Flow flow(surface, &seed, {}, checked_settings(options_of(kSpacing), *surface));
-  EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
-  EXPECT_LT(flow.history().size(), 300u);  // 310 where it crawls over them
-  EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
-  EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+  const auto surface = shared(spiral(11.6, 0.16, 0.8 * kSpacing, 200));
+  expect_filled(flow_of(surface, {stroke({0.16, 0.005, 0}, {0.16, 0.03, 0})}), 300);
 }
 
 /// Of one quad: the first curve is an outline, and what it leaves in the middle is far from no strand.
-TEST(Filled, AStripOfEightHundredByFourFromNothing) {
-  const auto surface = std::make_shared<const Surface>(make_surface(strip(80, 4 * kSpacing, 1)));
-  Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
-  EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
-  EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
-}
+TEST(Filled, AStripOfEightHundredByFourFromNothing) { expect_filled(flow_of(shared(strip(80, 4 * kSpacing, 1)))); }
 
 /// It has room for a line and its way back but for its tip, which is said to be narrow.
 TEST(Filled, ANeedleBelowASpacing) {
-  const auto surface = std::make_shared<const Surface>(make_surface(needle(5, 0.8 * kSpacing, 20)));
-  Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+  Flow flow = flow_of(shared(needle(5, 0.8 * kSpacing, 20)));
   EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
-  EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
-  EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.01);
+  EXPECT_TRUE(exact_crossings(flow.surface(), flow.curve()).empty());
+  EXPECT_LT(empty_share(flow), 0.01);
   EXPECT_EQ(find_gaps(flow, kGapSize).empty.wide, 0);
 }
 
@@ -374,43 +354,31 @@ TEST(Filled, ANeedleBelowASpacing) {
 /// in the wider one.
 TEST(Filled, BothSidesOfAHoleInARibbon) {
   for (const double width : {1.2 * kSpacing, 2 * kSpacing}) {
-    const auto surface = std::make_shared<const Surface>(make_surface(holed(20 * kSpacing, width, 95)));
-    for (const bool drawn : {false, true}) {
-      SCOPED_TRACE(testing::Message() << width << drawn);
-      const SeedStrands seed = seed_of({Line{{{0.03, 0, 0}, {0.09, 0.002, 0}}, false, false, false}}, false);
-      Flow flow(surface, drawn ? &seed : nullptr, {}, checked_settings(options_of(kSpacing), *surface));
-      EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
-      EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
-      EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
-    }
+    SCOPED_TRACE(width);
+    const auto surface = shared(holed(20 * kSpacing, width, 95));
+    expect_filled(flow_of(surface));
+    expect_filled(flow_of(surface, {stroke({0.03, 0, 0}, {0.09, 0.002, 0})}));
   }
 }
 
 /// Nothing can move on a pipe so thin, whatever spacing is wanted there: what they are full of is no failure.
 TEST(Filled, WhatIsHeldThereIsAtRest) {
   for (const Mesh& mesh : {pipe(1, 0.8 * kPi * kSpacing, 1, 6), pipe(5, 0.4 * kPi * kSpacing, 100)}) {
-    const auto surface = std::make_shared<const Surface>(make_surface(mesh));
-    Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
-    EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
-    EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
-    EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+    expect_filled(flow_of(shared(mesh)));
   }
 }
 
 /// One that has not is left, and said to be narrow.
 TEST(Filled, AStripOfASeventhOfASpacing) {
-  const auto surface = std::make_shared<const Surface>(make_surface(strip(5, 0.15 * kSpacing, 60)));
-  Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+  Flow flow = flow_of(shared(strip(5, 0.15 * kSpacing, 60)));
   flow.run(kNeverCancelled, [](double) {});
-  EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
-  const Gaps gaps = find_gaps(flow, kGapSize);
-  EXPECT_EQ(gaps.empty.wide, 0);
+  EXPECT_TRUE(exact_crossings(flow.surface(), flow.curve()).empty());
+  EXPECT_EQ(find_gaps(flow, kGapSize).empty.wide, 0);
 }
 
 /// Where the spacing gives way results are judged by the one that was asked for.
 TEST(Filled, ANarrowStripIsJudgedByTheSpacingAskedFor) {
-  const auto surface = std::make_shared<const Surface>(make_surface(strip(5, 0.8 * kSpacing, 60)));
-  Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+  Flow flow = flow_of(shared(strip(5, 0.8 * kSpacing, 60)));
   flow.run(kNeverCancelled, [](double) {});
   const double median = statistics_of(flow).spacing_percentile(0.5);
   const double asked = 2 * flow.settings().radius;
@@ -420,31 +388,26 @@ TEST(Filled, ANarrowStripIsJudgedByTheSpacingAskedFor) {
 
 /// Nothing was drawn, and growth along the strip would take longer than over a square.
 TEST(Filled, WhatIsTooLongToGrowIsLaidAtOnceAndSaidSo) {
-  const auto surface = std::make_shared<const Surface>(make_surface(strip(40, 0.4, 80)));
-  Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+  Flow flow = flow_of(shared(strip(40, 0.4, 80)));
   EXPECT_EQ(flow.start().full_parts(), 0u);
   ASSERT_TRUE(flow.step(kNeverCancelled));
   EXPECT_FALSE(flow.start().full_asked);
   EXPECT_EQ(flow.start().full_parts(), 1u);
   EXPECT_EQ(flow.start().grown_parts(), 0u);
-  EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.05);
-  const auto shorter = std::make_shared<const Surface>(make_surface(strip(5, 0.4, 80)));
-  Flow grown(shorter, nullptr, {}, checked_settings(options_of(kSpacing), *shorter));
+  EXPECT_LT(empty_share(flow), 0.05);
+  Flow grown = flow_of(shared(strip(5, 0.4, 80)));
   ASSERT_TRUE(grown.step(kNeverCancelled));
   EXPECT_EQ(grown.start().full_parts(), 0u);
 }
 
 /// What a strand would crawl to for hundreds of iterations is laid.
 TEST(Filled, TheRestIsLaidAndSaidSo) {
-  const auto surface = std::make_shared<const Surface>(make_surface(strip(40, 0.4, 80)));
-  const SeedStrands seed = seed_of({Line{{{0.1, 0, 0}, {0.4, 0, 0}}, false, false, false}}, false);
-  Flow flow(surface, &seed, {}, checked_settings(options_of(kSpacing), *surface));
+  Flow flow = flow_of(shared(strip(40, 0.4, 80)), {stroke({0.1, 0, 0}, {0.4, 0, 0})});
   EXPECT_EQ(flow.start().completed, 0u);
   flow.run(kNeverCancelled, [](double) {});
   EXPECT_GE(flow.start().completed, 1u);
   EXPECT_EQ(flow.start().full_parts(), 0u);
-  const auto round = std::make_shared<const Surface>(make_surface(sphere(3)));
-  Flow compact(round, nullptr, {}, checked_settings(options_of(0.2), *round));
+  Flow compact = flow_of(shared(sphere(3)), {}, false, 0.2);
   compact.run(kNeverCancelled, [](double) {});
   EXPECT_EQ(compact.start().completed, 0u);
 }
