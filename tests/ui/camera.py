@@ -3,51 +3,34 @@
 
 from __future__ import annotations
 
-import os
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator
 
 import bpy
+from dialogs import chosen
 from meander.run import camera as drawings
 from meander.ui import camera as camera_operator
 from stage import (
     PICTURES,
     assert_no_timer,
     assert_nothing_left_over,
-    browser,
-    click,
     key,
     look_at_surface,
     picture,
-    redrawn,
     seen,
     state,
     status_texts,
     step,
     until,
-    window_override,
 )
 
 FILES = PICTURES / "drawn"
 SMOOTHED = True
 
 
-def chosen(name: str, spacing: float, **wishes: object) -> Iterator[float]:
-    """The dialog, as the menu opens it, and its button."""
-    with bpy.context.temp_override(**window_override()):
-        bpy.ops.meander.draw_camera("INVOKE_DEFAULT", spacing=spacing, **wishes)
-    yield from until(lambda: browser() is not None, "the dialog")
-    yield from redrawn()
-    area = browser()
-    assert area.spaces.active.active_operator.bl_idname == "MEANDER_OT_draw_camera"
-    yield from seen(f"camera_dialog_{name}")
-    area.spaces.active.params.directory = os.fsencode(f"{FILES}/")
-    area.spaces.active.params.filename = f"{name}.svg"
-    yield from redrawn()
-    buttons = next(region for region in area.regions if region.type == "EXECUTE")
-    # What a script executes leaves the browser open.
-    click(buttons.x + buttons.width - 50, buttons.y + buttons.height // 2)
-    yield from until(lambda: browser() is None, "the view again")
+def drawn(name: str, spacing: float, **wishes: object) -> Iterator[float]:
+    path, picture = FILES / f"{name}.svg", f"camera_dialog_{name}"
+    yield from chosen("draw_camera", path, picture, spacing=spacing, **wishes)
 
 
 def going() -> bool:
@@ -61,7 +44,7 @@ def nothing_is_left() -> Iterator[float]:
 
 def drawn_to_the_end() -> Iterator[float]:
     before = state()
-    yield from chosen("page", 5.0)
+    yield from drawn("page", 5.0)
     yield from until(going, "the drawing begins")
     assert not bpy.ops.meander.draw_camera.poll(), "a second one must wait"
     assert not bpy.ops.meander.run.poll(), "and so must a curve"
@@ -79,7 +62,7 @@ def drawn_to_the_end() -> Iterator[float]:
 
 def as_dark_as_the_lamps_make_it() -> Iterator[float]:
     """The spacing does not count: a page of one strand is asked for, and shades are drawn."""
-    yield from chosen("shade", 50.0, use_tone=True, line_width=3.0)
+    yield from drawn("shade", 50.0, use_tone=True, line_width=3.0)
     yield from until(going, "the drawing begins")
     yield from until(lambda: not going(), "the drawing ends")
     assert (FILES / "shade.svg").stat().st_size > 0
@@ -88,7 +71,7 @@ def as_dark_as_the_lamps_make_it() -> Iterator[float]:
 
 def ended_by_esc() -> Iterator[float]:
     before = state()
-    yield from chosen("never", 1.0)
+    yield from drawn("never", 1.0)
     yield from until(going, "the drawing begins")
     key("ESC", at=(40, 20))
     yield 0.3
@@ -114,7 +97,7 @@ def asked_before_a_large_page() -> Iterator[float]:
     # Away from it: nothing is drawn. On its button: it is.
     for answer in ("ESC", "RET"):
         draws.clear()
-        yield from chosen(f"large_{answer}", 1.0)
+        yield from drawn(f"large_{answer}", 1.0)
         yield from until(lambda: draws, "the question")
         yield from seen(f"camera_asks_{answer}")
         assert not going() and " points, " in draws[0], draws
@@ -132,7 +115,7 @@ def asked_before_a_large_page() -> Iterator[float]:
 def refused_in_the_panel() -> Iterator[float]:
     camera = bpy.context.scene.camera
     camera.data.type = "PANO"
-    yield from chosen("pano", 5.0)
+    yield from drawn("pano", 5.0)
     yield 0.3
     assert not going() and not (FILES / "pano.svg").exists()
     camera.data.type = "PERSP"

@@ -3,21 +3,20 @@
 
 from __future__ import annotations
 
-import os
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator
 from pathlib import Path
 
 import bpy
+from dialogs import chosen
 from meander.run import images
 from meander.ui import cut, panels
 from stage import (
     PICTURES,
     assert_nothing_left_over,
-    browser,
-    click,
     key,
     look_at_surface,
+    press,
     redrawn,
     seen,
     show_panel,
@@ -25,7 +24,7 @@ from stage import (
     step,
     undo,
     until,
-    window_override,
+    view_override,
 )
 
 # Open from the start, and what is above it closed, so that it is in the pictures.
@@ -47,8 +46,7 @@ def paper(path: Path) -> list[float]:
 
 def made_light() -> Iterator[float]:
     before = points()
-    with bpy.context.temp_override(**window_override()):
-        assert bpy.ops.meander.make_light("INVOKE_DEFAULT", True) == {"FINISHED"}
+    press("make_light")
     assert points() < 0.6 * before, (points(), before)
     yield from seen("export_panel")
     yield from undo()
@@ -57,29 +55,17 @@ def made_light() -> Iterator[float]:
 
 
 def chosen_in_the_dialog() -> Iterator[float]:
-    with bpy.context.temp_override(**window_override()):
-        bpy.ops.meander.export_toolpath("INVOKE_DEFAULT", file_format="SVG", size=90.0)
-    yield from until(lambda: browser() is not None, "the dialog")
-    yield from redrawn()
-    area = browser()
-    operator = area.spaces.active.active_operator
-    assert operator.bl_idname == "MEANDER_OT_export_toolpath"
-    assert operator.layout_as == "UV", "a torus hides half of itself from above"
-    yield from seen("export_dialog")
-    area.spaces.active.params.directory = os.fsencode(f"{FILES}/")
-    area.spaces.active.params.filename = "dialog.svg"
-    yield from redrawn()
-    window = bpy.context.window_manager.windows[0]
-    with bpy.context.temp_override(window=window, area=area, region=area.regions[-1]):
-        bpy.ops.file.execute()
-    path = FILES / "dialog.svg"
+    def look(space: bpy.types.SpaceFileBrowser) -> None:
+        assert space.active_operator.layout_as == "UV", "a torus hides half of itself from above"
+
+    path, wishes = FILES / "dialog.svg", {"file_format": "SVG", "size": 90.0}
+    yield from chosen("export_toolpath", path, "export_dialog", look, **wishes)
     yield from until(path.is_file, "the file")
     assert abs(max(paper(path)) - 90.6) < 0.01
 
 
 def seen_in_the_view() -> Iterator[float]:
-    override = window_override()
-    override["region"] = next(r for r in override["area"].regions if r.type == "WINDOW")
+    override = view_override()
     with bpy.context.temp_override(**override):
         bpy.ops.view3d.view_axis(type="FRONT")
     yield from redrawn()
@@ -97,24 +83,15 @@ def seen_in_the_view() -> Iterator[float]:
 
 def images_by_the_dialog() -> Iterator[float]:
     """The format changes the end of the name, and the end of the name the format."""
-    with bpy.context.temp_override(**window_override()):
-        bpy.ops.meander.maps("INVOKE_DEFAULT", size=64, kinds={"MASK", "COLOR"})
-    yield from until(lambda: browser() is not None, "the dialog")
-    yield from redrawn()
-    area = browser()
-    space = area.spaces.active
-    operator = space.active_operator
-    assert space.params.filename == "Torus_Meander.png" and operator.file_format == "PNG"
-    yield from seen("images_dialog")
-    space.params.directory = os.fsencode(f"{FILES}/")
-    space.params.filename = "torus.exr"
-    yield from redrawn()
-    buttons = next(region for region in area.regions if region.type == "EXECUTE")
-    # What a script executes leaves the browser open.
-    click(buttons.x + buttons.width - 50, buttons.y + buttons.height // 2)
+
+    def look(space: bpy.types.SpaceFileBrowser) -> None:
+        assert space.params.filename == "Torus_Meander.png"
+        assert space.active_operator.file_format == "PNG"
+
+    wishes = {"size": 64, "kinds": {"MASK", "COLOR"}}
+    yield from chosen("maps", FILES / "torus.exr", "images_dialog", look, **wishes)
     paths = [FILES / f"torus_{kind}.exr" for kind in ("mask", "color")]
     yield from until(lambda: all(path.is_file() for path in paths), "the files")
-    yield from until(lambda: browser() is None, "the view again")
     yield from seen("images_written")
 
 
@@ -124,16 +101,7 @@ def images_ended_by_esc() -> Iterator[float]:
     def going() -> bool:
         return images.going.current is not None
 
-    with bpy.context.temp_override(**window_override()):
-        bpy.ops.meander.maps("INVOKE_DEFAULT", size=2048)
-    yield from until(lambda: browser() is not None, "the dialog")
-    yield from redrawn()
-    area = browser()
-    area.spaces.active.params.directory = os.fsencode(f"{FILES}/")
-    area.spaces.active.params.filename = "never.png"
-    yield from redrawn()
-    buttons = next(region for region in area.regions if region.type == "EXECUTE")
-    click(buttons.x + buttons.width - 50, buttons.y + buttons.height // 2)
+    yield from chosen("maps", FILES / "never.png", size=2048)
     yield from until(going, "the work begins")
     assert not bpy.ops.meander.maps.poll(), "a second one must wait"
     yield from until(lambda: any("Images: " in (text or "") for text in status_texts), "its words")

@@ -20,6 +20,7 @@ from stage import (
     choose_spacing,
     ended,
     key,
+    press,
     press_run,
     redrawn,
     seen,
@@ -36,14 +37,6 @@ from stage import (
 SIZE = 256
 # A value of a pixel that differs by so much is another; of so many of them, it is another picture.
 ANOTHER, MOST_ALIKE = 0.25, 0.02
-
-
-def press(name: str, **options: object) -> bpy.types.Object:
-    """As a button of the panel does: with an undo step. Returns what is active then."""
-    with bpy.context.temp_override(**window_override()):
-        outcome = getattr(bpy.ops.meander, name)("INVOKE_DEFAULT", True, **options)
-    assert outcome == {"FINISHED"}, outcome
-    return bpy.context.view_layer.objects.active
 
 
 def pictures() -> dict[str, np.ndarray]:

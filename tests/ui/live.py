@@ -28,6 +28,7 @@ from stage import (
     suzanne_in_view,
     undo,
     until,
+    view_override,
     window_override,
 )
 
@@ -209,9 +210,7 @@ def while_painting() -> Iterator[float]:
     yield from until(ended, "the run ends")
     yield from looked()
     even = splines_of(RESULT)
-    override = window_override()
-    override["region"] = next(r for r in override["area"].regions if r.type == "WINDOW")
-    with bpy.context.temp_override(**override):
+    with bpy.context.temp_override(**view_override()):
         bpy.ops.object.mode_set(mode="WEIGHT_PAINT")
         settings = bpy.context.tool_settings
         if settings.weight_paint.brush is None:  # Debian 13's Blender comes without brushes

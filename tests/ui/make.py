@@ -15,6 +15,7 @@ from stage import (
     changed_share,
     ended,
     pixels_of,
+    press,
     press_run,
     seen,
     step,
@@ -25,13 +26,6 @@ from stage import (
 )
 
 OPEN = (panels.MEANDER_PT_output, cut.MEANDER_PT_make)
-
-
-def press(name: str, **options: object) -> None:
-    """As a button of the panel does: with an undo step."""
-    with bpy.context.temp_override(**window_override()):
-        outcome = getattr(bpy.ops.meander, name)("INVOKE_DEFAULT", True, **options)
-    assert outcome == {"FINISHED"}, outcome
 
 
 def hidden(name: str) -> bool:

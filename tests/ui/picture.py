@@ -3,25 +3,23 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 
 import bpy
 import numpy as np
+from dialogs import chosen
 from meander.model.maps import png
 from stage import (
     PICTURES,
-    browser,
     changed_share,
-    click,
     ended,
-    redrawn,
     seen,
     show_panel,
     state,
     step,
     undo,
     until,
+    view_override,
     window_override,
 )
 
@@ -40,27 +38,8 @@ def photograph() -> None:
     (FILES / f"{SHEET}.png").write_bytes(png((65535 * values).round().astype(np.uint16)))
 
 
-def chosen(**wishes: object) -> Iterator[float]:
-    """The dialog, as the menu opens it, and its button."""
-    with bpy.context.temp_override(**window_override()):
-        bpy.ops.meander.picture("INVOKE_DEFAULT", **wishes)
-    yield from until(lambda: browser() is not None, "the dialog")
-    yield from redrawn()
-    area = browser()
-    assert area.spaces.active.active_operator.bl_idname == "MEANDER_OT_picture"
-    area.spaces.active.params.directory = os.fsencode(f"{FILES}/")
-    area.spaces.active.params.filename = f"{SHEET}.png"
-    yield from seen("picture_dialog")
-    area = browser()
-    buttons = next(region for region in area.regions if region.type == "EXECUTE")
-    click(buttons.x + buttons.width - 50, buttons.y + buttons.height // 2)
-    yield from until(lambda: browser() is None, "the view again")
-
-
 def from_above() -> None:
-    override = window_override()
-    override["region"] = next(r for r in override["area"].regions if r.type == "WINDOW")
-    with bpy.context.temp_override(**override):
+    with bpy.context.temp_override(**view_override()):
         bpy.ops.view3d.view_axis(type="TOP")
         bpy.ops.view3d.view_selected()
 
@@ -75,7 +54,9 @@ def story() -> Iterator[float]:
     before = state()
 
     step("the dialog makes the sheet, and its line grows while one looks on")
-    yield from chosen(width=60.0, pen=1.6)
+    yield from chosen(
+        "picture", FILES / f"{SHEET}.png", "picture_dialog", width=60.0, pen=1.6
+    )
     yield from until(lambda: SHEET in bpy.data.objects, "the sheet")
     from_above()
     yield from show_panel()

@@ -105,6 +105,21 @@ def window_override() -> dict:
     return {"window": window, "area": area, "region": sidebar}
 
 
+def view_override() -> dict:
+    """The same, but for the view beside the sidebar."""
+    override = window_override()
+    view = next(region for region in override["area"].regions if region.type == "WINDOW")
+    return {**override, "region": view}
+
+
+def press(name: str, **options: object) -> bpy.types.Object:
+    """As a button of the panel does: with an undo step. Returns what is active then."""
+    with bpy.context.temp_override(**window_override()):
+        outcome = getattr(bpy.ops.meander, name)("INVOKE_DEFAULT", True, **options)
+    assert outcome == {"FINISHED"}, outcome
+    return bpy.context.view_layer.objects.active
+
+
 IN_VIEW = (300, 300)
 
 
@@ -210,9 +225,7 @@ def choose_spacing(spacing: float) -> None:
 
 
 def look_at_surface() -> None:
-    override = window_override()
-    override["region"] = next(r for r in override["area"].regions if r.type == "WINDOW")
-    with bpy.context.temp_override(**override):
+    with bpy.context.temp_override(**view_override()):
         bpy.ops.view3d.view_axis(type="FRONT")
         bpy.ops.view3d.view_selected()
         bpy.ops.view3d.view_orbit(angle=0.4, type="ORBITLEFT")
@@ -343,14 +356,6 @@ def activate(*names: str) -> bpy.types.Object:
         thing.select_set(thing.name in names)
     bpy.context.view_layer.objects.active = bpy.data.objects[names[0]]
     return bpy.data.objects[names[0]]
-
-
-def browser() -> bpy.types.Area | None:
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == "FILE_BROWSER":
-                return area
-    return None
 
 
 def undo(redo: bool = False) -> Iterator[float]:
