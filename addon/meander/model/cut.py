@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
+from .geometry.unit_vectors import unit
 
 _OF_VERTICES = ("positions", "distances", "vertex_faces", "vertex_weights")
 _OF_FACES = (
@@ -82,8 +83,7 @@ def smooth_normals(
     faces    (f, 3), of the surface
     """
     blended = np.einsum("nw,nwx->nx", cut.vertex_weights, normals[faces[cut.vertex_faces]])
-    lengths = np.linalg.norm(blended, axis=1, keepdims=True)
-    return np.divide(blended, lengths, out=np.zeros_like(blended), where=lengths > 0.0)
+    return unit(blended)
 
 
 def one_side(cut: core.CutSurface, side: int) -> core.CutSurface:

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from .. import core
 from .files.exr import exr
+from .geometry.unit_vectors import unit
 
 # What an image can show; docs/making.md says what its values mean.
 KINDS = ("mask", "distance", "height", "normal", "side", "along", "color")
@@ -218,7 +219,7 @@ class Tile:
                 yield _MIDDLES_LOOKED_AT + (1.0 - _MIDDLES_LOOKED_AT) * done
         if "normal" in images:
             known = self.face >= 0
-            images["normal"][known] = 0.5 + 0.5 * _unit(images["normal"][known] - 0.5)
+            images["normal"][known] = 0.5 + 0.5 * unit(images["normal"][known] - 0.5)
         self._images = {
             kind: image.reshape(size, size, *image.shape[1:]) for kind, image in images.items()
         }
@@ -335,16 +336,11 @@ class Tile:
         uv = self._mapped.uv[:, 1:] - self._mapped.uv[:, :1]
         determinant = uv[:, 0, 0] * uv[:, 1, 1] - uv[:, 0, 1] * uv[:, 1, 0]
         turned = np.sign(determinant)[:, None]
-        along_u = _unit(turned * (uv[:, 1, 1:] * sides[:, 0] - uv[:, 0, 1:] * sides[:, 1]))
-        along_v = turned * np.cross(_unit(np.cross(sides[:, 0], sides[:, 1])), along_u)
+        along_u = unit(turned * (uv[:, 1, 1:] * sides[:, 0] - uv[:, 0, 1:] * sides[:, 1]))
+        along_v = turned * np.cross(unit(np.cross(sides[:, 0], sides[:, 1])), along_u)
         rise = np.stack(((away * along_u[face]).sum(1), (away * along_v[face]).sum(1)), axis=1)
-        slope = -self._style.depth * _steepness(distance)[:, None] * _unit(rise)
-        return 0.5 + 0.5 * _unit(np.concatenate((slope, np.ones_like(slope[:, :1])), axis=1))
-
-
-def _unit(vectors: NDArray[np.float64]) -> NDArray[np.float64]:
-    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
-    return np.divide(vectors, lengths, out=np.zeros_like(vectors), where=lengths > 0.0)
+        slope = -self._style.depth * _steepness(distance)[:, None] * unit(rise)
+        return 0.5 + 0.5 * unit(np.concatenate((slope, np.ones_like(slope[:, :1])), axis=1))
 
 
 def _encoded(linear: NDArray[np.float32]) -> NDArray[np.float32]:

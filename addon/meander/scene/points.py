@@ -13,6 +13,7 @@ from mathutils.kdtree import KDTree
 
 from .. import core
 from ..model.geometry.surface_normals import normals_at
+from ..model.geometry.unit_vectors import unit
 from ..model.toolpaths import toolpath
 from .blender_versions import make_poly
 from .curve_reader import strands_of_curve
@@ -50,8 +51,8 @@ def attributes_of(
     tangents = np.linalg.solve(linear, np.vstack([strand.tangents for strand in strands]).T).T
     values = {
         "arc_length": ("FLOAT", np.concatenate([strand.arc_lengths for strand in strands])),
-        "surface_normal": ("FLOAT_VECTOR", _unit(normals)),
-        "tangent": ("FLOAT_VECTOR", _unit(tangents)),
+        "surface_normal": ("FLOAT_VECTOR", unit(normals)),
+        "tangent": ("FLOAT_VECTOR", unit(tangents)),
         "strand": ("INT", np.repeat(np.arange(len(strands)), counts)),
     }
     if all(strand.radii is not None for strand in strands):
@@ -134,11 +135,6 @@ def _set(attribute: bpy.types.Attribute, values: np.ndarray) -> None:
     attribute.data.foreach_set(
         key, np.ascontiguousarray(values, dtype=np.int32 if whole else np.float32).ravel()
     )
-
-
-def _unit(vectors: np.ndarray) -> np.ndarray:
-    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
-    return np.divide(vectors, lengths, out=np.zeros_like(vectors), where=lengths > 0.0)
 
 
 # ------------------------------------------------------------------------------------------------

@@ -10,6 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from .unit_vectors import unit
+
 # In r: a crease turns the normals of its faces up to so far from it.
 _REACH = 0.5
 # Cosines of how far the normal of a corner may lean on its face, where a mesh is smooth, and where
@@ -34,11 +36,11 @@ def normals_at(
     of_vertices = np.zeros_like(vertices)
     for corner in range(3):
         np.add.at(of_vertices, faces[:, corner], weighted)
-    corners = _unit(of_vertices)[faces[index]]
-    flat = _unit(weighted)
+    corners = unit(of_vertices)[faces[index]]
+    flat = unit(weighted)
     beside = _beside(faces)[index]
     there = np.where((beside < 0)[:, :, None], flat[index][:, None], flat[beside])
-    folded = _unit(flat[index][:, None] + there)
+    folded = unit(flat[index][:, None] + there)
 
     # Of the edge opposite to each corner: how far it is, as a share of the reach.
     points = vertices[faces[index]]
@@ -52,13 +54,12 @@ def normals_at(
         i, j = (k + 1) % 3, (k + 2) % 3
         total += (near[:, k] * away[:, i] * away[:, j])[:, None] * folded[:, k]
         total += (away[:, k] * near[:, i] * near[:, j])[:, None] * corners[:, k]
-    smooth = _unit(np.einsum("nk,nkx->nx", weights, corners))
+    smooth = unit(np.einsum("nk,nkx->nx", weights, corners))
     total += near.prod(axis=1)[:, None] * smooth
     upright = np.einsum("nkx,nx->nk", corners, flat[index]).min(axis=1)
     creased = np.clip((_SMOOTH - upright) / (_SMOOTH - _CREASED), 0.0, 1.0)[:, None]
-    total = creased * _unit(total) + (1.0 - creased) * smooth
-    lengths = np.linalg.norm(total, axis=1, keepdims=True)
-    return np.divide(total, lengths, out=flat[index].copy(), where=lengths > 0.0)
+    total = creased * unit(total) + (1.0 - creased) * smooth
+    return unit(total, flat[index])
 
 
 def _beside(faces: NDArray[np.integer]) -> NDArray[np.int64]:
@@ -74,8 +75,3 @@ def _beside(faces: NDArray[np.integer]) -> NDArray[np.int64]:
     found = np.full(3 * count, -1, dtype=np.int64)
     found[one], found[other] = other // 3, one // 3
     return found.reshape(-1, 3)
-
-
-def _unit(vectors: NDArray[np.float64]) -> NDArray[np.float64]:
-    lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return np.divide(vectors, lengths, out=np.zeros_like(vectors), where=lengths > 0.0)

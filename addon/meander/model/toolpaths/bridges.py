@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from ...core import PointData, Polylines, Seed
 from ..geometry.bridge_places import GAP, End, Join, Strand, between, joined_ends, joins_of
+from ..geometry.unit_vectors import unit
 from .toolpath import Mesh, holding
 
 
@@ -228,7 +229,7 @@ def _put_together(
     begins = np.concatenate([[0], np.cumsum([len(part) for part in parts])])
     curve = Polylines(
         between(polylines.positions, before, after, share),
-        _unit(between(polylines.normals, before, after, share)),
+        unit(between(polylines.normals, before, after, share)),
         begins.astype(np.uint32),
         np.array(ends, dtype=np.uint8),
     )
@@ -249,11 +250,6 @@ def _put_together(
     )
 
 
-def _unit(vectors: NDArray[np.float64]) -> NDArray[np.float64]:
-    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
-    return np.divide(vectors, lengths, out=np.array(vectors), where=lengths > 0.0)
-
-
 def data_of(line: Joined, data: PointData, mesh: Mesh) -> PointData:
     """What is known of the points of a line, from what is known of the given ones."""
     curve = line.polylines
@@ -266,7 +262,7 @@ def data_of(line: Joined, data: PointData, mesh: Mesh) -> PointData:
         around = np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0)
         if not closed:
             around[0], around[-1] = steps[0], steps[-1]
-        tangents.append(_unit(around))
+        tangents.append(unit(around))
     faces, weights = data.faces[line.before].copy(), data.barycentrics[line.before].copy()
     new = np.flatnonzero(line.share > 0.0)
     faces[new], weights[new] = holding(

@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..files.whole import FileError
+from ..geometry.unit_vectors import unit
 from .toolpath import Mesh, Strand, holding
 
 # More parts are a mistake in the unit.
@@ -70,11 +71,6 @@ def between(strand: Strand, begin: float, end: float, mesh: Mesh | None) -> Stra
     def blended(values: np.ndarray) -> np.ndarray:
         return (1.0 - share) * values[here] + share * values[there]
 
-    def unit(values: np.ndarray) -> np.ndarray:
-        mixed = blended(values)
-        size = np.linalg.norm(mixed, axis=1, keepdims=True)
-        return np.where(size > 0.0, mixed / np.where(size > 0.0, size, 1.0), values[here])
-
     points = blended(strand.points)
     faces = weights = None
     if strand.faces is not None and mesh is not None:
@@ -83,8 +79,8 @@ def between(strand: Strand, begin: float, end: float, mesh: Mesh | None) -> Stra
         False,
         end - begin,
         points,
-        unit(strand.normals),
-        unit(strand.tangents),
+        unit(blended(strand.normals), strand.normals[here]),
+        unit(blended(strand.tangents), strand.tangents[here]),
         places - begin,
         None if strand.radii is None else blended(strand.radii),
         faces,

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from ..files.npz import write_npz
 from ..files.rows import rows, write_pieces
 from ..files.whole import whole_file
+from ..geometry.unit_vectors import unit
 from .toolpath import Strand, offsets_of
 
 KINDS = ("approach", "curve", "retreat")
@@ -57,11 +58,10 @@ def poses_of(strand: Strand, standoff: float = 0.0, approach: float = 0.0) -> Po
         order, arcs = np.append(order, 0), np.append(arcs, strand.length)
     normals, along = strand.normals[order], strand.tangents[order]
     tangents = along - (along * normals).sum(axis=1, keepdims=True) * normals
-    size = np.linalg.norm(tangents, axis=1, keepdims=True)
     # Where a curve turns back its tangent may be along the normal, or none.
     other = np.cross(normals, np.eye(3)[np.abs(normals).argmin(axis=1)])
     other /= np.linalg.norm(other, axis=1, keepdims=True)
-    tangents = np.where(size > 1e-9, tangents / np.where(size > 1e-9, size, 1.0), other)
+    tangents = unit(tangents, other, least=1e-9)
     places = strand.points[order] + standoff * normals
     kinds = np.full(len(order), KINDS.index("curve"))
     if approach > 0.0:

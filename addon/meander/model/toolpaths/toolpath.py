@@ -21,6 +21,7 @@ from ..files.npz import write_npz
 from ..files.rows import rows, write_pieces
 from ..files.whole import FileError, whole_file
 from ..geometry.simplification import kept_within
+from ..geometry.unit_vectors import unit
 
 SUFFIXES = (".csv", ".json", ".npz")
 
@@ -152,7 +153,7 @@ def resampled_by_step(strand: Strand, step: float, mesh: Mesh | None = None) -> 
         strand.closed,
         strand.length,
         taken,
-        _unit(blended, normals[piece]),
+        unit(blended, normals[piece]),
         _tangents(taken, strand.closed),
         targets,
         radii,
@@ -224,11 +225,6 @@ def resampled(
     return list(strands)
 
 
-def _unit(vectors: np.ndarray, otherwise: np.ndarray) -> np.ndarray:
-    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
-    return np.where(lengths > 0.0, vectors / np.where(lengths > 0.0, lengths, 1.0), otherwise)
-
-
 def _arc_lengths(points: np.ndarray, closed: bool) -> np.ndarray:
     """Arc length at every point and, last, of the whole strand: twice the same in an open one."""
     following = np.roll(points, -1, axis=0) if closed else np.vstack([points[1:], points[-1:]])
@@ -238,11 +234,11 @@ def _arc_lengths(points: np.ndarray, closed: bool) -> np.ndarray:
 def _tangents(points: np.ndarray, closed: bool) -> np.ndarray:
     zero = np.zeros((1, 3))
     pieces = np.diff(points, axis=0, append=points[:1] if closed else points[-1:])
-    out = _unit(pieces, np.zeros_like(pieces))
+    out = unit(pieces)
     before = np.roll(out, 1, axis=0)
     if not closed:
         before[:1] = zero
-    return _unit(before + out, np.where(np.any(out, axis=1)[:, None], out, before))
+    return unit(before + out, np.where(np.any(out, axis=1)[:, None], out, before))
 
 
 # ------------------------------------------------------------------------------------------------

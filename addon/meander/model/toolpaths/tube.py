@@ -9,11 +9,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..geometry.unit_vectors import unit
 from .toolpath import Strand
 
 SIDES = 8
 # At a sharper turn the outer edge is cut off: the limit of a mitre, as SVG and PDF have it.
 _MITRE = 2.0
+# Shorter vectors have no direction.
+_NONE = 1e-12
 
 
 class Tube(NamedTuple):
@@ -49,8 +52,8 @@ def _wall(strand: Strand, radius: float) -> Tube:
     if strand.closed:
         order, arcs = np.append(order, 0), np.append(arcs, strand.length)
     points, along = strand.points[order], strand.tangents[order]
-    aside = _unit(np.cross(along, np.eye(3)[np.abs(along).argmin(axis=1)]), along)
-    up = _unit(strand.normals[order] - _shadow(strand.normals[order], along), aside)
+    aside = unit(np.cross(along, np.eye(3)[np.abs(along).argmin(axis=1)]), along, _NONE)
+    up = unit(strand.normals[order] - _shadow(strand.normals[order], along), aside, _NONE)
     side = np.cross(along, up)
     angles = np.linspace(0.0, 2.0 * np.pi, SIDES + 1)
     normals = (
@@ -82,7 +85,7 @@ def _cap(wall: Tube, end: int) -> Tube:
     ring = wall.points[:round_] if end == 0 else wall.points[-round_:]
     other = wall.points[round_ : 2 * round_] if end == 0 else wall.points[-2 * round_ : -round_]
     middle = ring[:SIDES].mean(axis=0)
-    outward = _unit((middle - other[:SIDES].mean(axis=0))[None, :], wall.normals[:1])
+    outward = unit((middle - other[:SIDES].mean(axis=0))[None, :], wall.normals[:1], _NONE)
     uv = wall.along_and_around[:round_] if end == 0 else wall.along_and_around[-round_:]
     turn = np.arange(SIDES)
     rim = np.column_stack([turn, turn + 1]) if end else np.column_stack([turn + 1, turn])
@@ -99,20 +102,14 @@ def _mitres(strand: Strand) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     that the tube keeps its width on both sides of the turn."""
     points = strand.points
     pieces = np.diff(points, axis=0, append=points[:1] if strand.closed else points[-1:])
-    after = _unit(pieces, strand.tangents)
+    after = unit(pieces, strand.tangents, _NONE)
     before = np.roll(after, 1, axis=0)
     if not strand.closed:
         after[-1] = before[-1] if len(points) > 1 else after[-1]
         before[0] = after[0]
     half = np.linalg.norm(before + after, axis=1) / 2.0
-    return _unit(after - before, np.zeros_like(points)), 1.0 / np.maximum(half, 1.0 / _MITRE)
+    return unit(after - before, least=_NONE), 1.0 / np.maximum(half, 1.0 / _MITRE)
 
 
 def _shadow(vectors: NDArray[np.float64], onto: NDArray[np.float64]) -> NDArray[np.float64]:
     return (vectors * onto).sum(axis=1, keepdims=True) * onto
-
-
-def _unit(vectors: NDArray[np.float64], otherwise: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Vectors of length 1, and others where there is no length."""
-    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
-    return np.where(lengths > 1e-12, vectors / np.where(lengths > 1e-12, lengths, 1.0), otherwise)
