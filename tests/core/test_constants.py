@@ -11,7 +11,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 FILES = sorted((ROOT / "native" / "src").glob("*/constants.h"))
-TABLES = [path for path in FILES if path.parent.name in {"outputs"}]
+TABLES = [path for path in FILES if path.parent.name in {"medial", "outputs"}]
 HEADINGS = re.findall(r"^#+ (.*)$", (ROOT / "docs" / "decisions.md").read_text(), re.MULTILINE)
 LINE = re.compile(r"constexpr \w+ (k\w+) = ([^;]+);\s*// ([^;]+); ([^;]+); (.+)")
 
@@ -19,7 +19,7 @@ LINE = re.compile(r"constexpr \w+ (k\w+) = ([^;]+);\s*// ([^;]+); ([^;]+); (.+)"
 def lies_within(value: float, said: str) -> bool:
     """A range is "> 0", ">= 1" or "0 to pi", without its ends."""
     words = said.replace("pi", str(math.pi)).split()
-    numbers = [float(word) for word in words if word[0].isdigit()]
+    numbers = [float(word) for word in words if word[-1].isdigit()]
     if said.startswith(">="):
         return value >= numbers[0]
     if said.startswith(">"):
