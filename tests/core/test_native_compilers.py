@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-FOLDERS = ("native/src", "native/bench", "tests/native", "tests/fuzz")
+FOLDERS = ("native/src", "native/bench", "tests/native", "tests/fuzz", "tests/sweep")
 
 # It cannot read the subranges and views of libstdc++ 12; these make one.
 SUBRANGES = re.compile(

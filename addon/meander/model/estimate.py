@@ -83,10 +83,14 @@ def _curvature(
     of more than three eighths of a turn is taken for one there.
     """
     angles = np.zeros(count)
+    # With room on both sides: where its result lies right beside an argument, numpy takes another
+    # arctan2, which differs in the last bit, and the same mesh would have two estimates.
+    at_corners = np.empty(len(faces) + 2)[1:-1]
     for corner, (p, q, r) in enumerate(((a, b, c), (b, c, a), (c, a, b))):
         across = np.linalg.norm(np.cross(q - p, r - p), axis=1)
         along = np.einsum("ij,ij->i", q - p, r - p)
-        angles += np.bincount(faces[:, corner], np.arctan2(across, along), count)
+        np.arctan2(across, along, out=at_corners)
+        angles += np.bincount(faces[:, corner], at_corners, count)
     defects = np.abs(2.0 * np.pi - angles[angles > 0.0])
     return float(defects[defects < 0.75 * np.pi].sum())
 
