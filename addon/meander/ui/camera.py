@@ -28,6 +28,7 @@ from .file_names import file_named
 from .fill import draw_question
 from .preferences import is_large
 from .refusing import refusing
+from .registered import registration
 from .ticked import KEYS, Ticked
 
 
@@ -291,16 +292,6 @@ def _menu(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
     )
 
 
-_CLASSES = (MEANDER_OT_draw_camera, MEANDER_OT_ask_draw)
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-    bpy.types.TOPBAR_MT_file_export.append(_menu)
-
-
-def unregister() -> None:
-    bpy.types.TOPBAR_MT_file_export.remove(_menu)
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration(
+    MEANDER_OT_draw_camera, MEANDER_OT_ask_draw, menus={"TOPBAR_MT_file_export": _menu}
+)

@@ -29,6 +29,7 @@ from .file_names import file_named
 from .on_result import OnResult, result_of
 from .preferences import page_size
 from .refusing import refusing, sentence_of
+from .registered import registration
 
 _TABLES = {suffix[1:].upper(): suffix for suffix in toolpath.SUFFIXES}
 _SUFFIXES = _TABLES | {kind.name: kind.suffixes[0] for kind in export.FORMATS}
@@ -371,11 +372,6 @@ def _menu(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
     )
 
 
-def register() -> None:
-    bpy.utils.register_class(MEANDER_OT_export_toolpath)
-    bpy.types.TOPBAR_MT_file_export.append(_menu)
-
-
-def unregister() -> None:
-    bpy.types.TOPBAR_MT_file_export.remove(_menu)
-    bpy.utils.unregister_class(MEANDER_OT_export_toolpath)
+register, unregister = registration(
+    MEANDER_OT_export_toolpath, menus={"TOPBAR_MT_file_export": _menu}
+)

@@ -29,6 +29,7 @@ from ..scene.seeds import mesh_of_seed
 from ..scene.settings import surface_of
 from .on_result import LINKED, is_linked
 from .preferences import is_large
+from .registered import registration
 from .watched import Watched
 
 # Weight painting uses the same undo as Object Mode, and is where densities come from. Undo in the
@@ -313,19 +314,13 @@ def _add_menu(self: bpy.types.Menu, context: bpy.types.Context) -> None:
         )
 
 
-_CLASSES = (MEANDER_OT_run, MEANDER_OT_ask_run, MEANDER_OT_resume, MEANDER_OT_stop)
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
-    bpy.types.VIEW3D_MT_curve_add.append(_add_menu)
-
-
-def unregister() -> None:
-    bpy.types.VIEW3D_MT_curve_add.remove(_add_menu)
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration(
+    MEANDER_OT_run,
+    MEANDER_OT_ask_run,
+    MEANDER_OT_resume,
+    MEANDER_OT_stop,
+    menus={"VIEW3D_MT_curve_add": _add_menu},
+)
 
 
 def draw_fill_buttons(

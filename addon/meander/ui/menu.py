@@ -9,6 +9,7 @@ from __future__ import annotations
 import bpy
 
 from .fill import draw_fill_buttons
+from .registered import registration
 
 # Operators in groups. They have the labels of the buttons, so each label says enough by itself.
 _ENTRIES: tuple[tuple[str, ...], ...] = (
@@ -83,13 +84,4 @@ def _in_menu(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
 _MENUS = ("VIEW3D_MT_object", "VIEW3D_MT_edit_mesh", "VIEW3D_MT_paint_weight")
 
 
-def register() -> None:
-    bpy.utils.register_class(MEANDER_MT_object)
-    for name in _MENUS:
-        getattr(bpy.types, name).append(_in_menu)
-
-
-def unregister() -> None:
-    for name in reversed(_MENUS):
-        getattr(bpy.types, name).remove(_in_menu)
-    bpy.utils.unregister_class(MEANDER_MT_object)
+register, unregister = registration(MEANDER_MT_object, menus=dict.fromkeys(_MENUS, _in_menu))

@@ -31,6 +31,7 @@ from .on_result import LINKED, is_linked
 from .operators import MEANDER_OT_choose_settings, MEANDER_OT_propose_spacing
 from .preparation import draw_faults
 from .presets import MEANDER_PT_presets, active_name
+from .registered import registration
 from .rendered import draw_rendering
 from .settings import MeanderFigures, MeanderSettings
 from .sidebar import ADVANCED, GUIDANCE, ORDER, OUTPUT, Sidebar, SubPanel, columns, notice
@@ -302,7 +303,7 @@ def _percent(_manager: bpy.types.WindowManager) -> float:
     return round(100.0 * running.progress()) if running is not None else 0.0
 
 
-_CLASSES = (
+_register, _unregister = registration(
     MEANDER_PT_main,
     MEANDER_PT_figures,
     MEANDER_PT_guidance,
@@ -316,11 +317,9 @@ def register() -> None:
     bpy.types.WindowManager.meander_progress = FloatProperty(
         name="Progress", subtype="PERCENTAGE", min=0.0, max=100.0, precision=0, get=_percent
     )
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
+    _register()
 
 
 def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+    _unregister()
     del bpy.types.WindowManager.meander_progress

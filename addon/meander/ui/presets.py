@@ -23,6 +23,7 @@ from ..run.window import redraw
 from ..scene.blender_versions import add_preset_path, remove_preset_path
 from ..scene.linked_settings import lent
 from .on_result import can_choose
+from .registered import registration
 
 SUBDIR = "meander"
 # Its folder presets/meander has the presets of the add-on.
@@ -179,17 +180,17 @@ class MEANDER_PT_presets(PresetPanel, bpy.types.Panel):
             )
 
 
-_CLASSES = (MEANDER_OT_use_preset, MEANDER_OT_add_preset, MEANDER_PT_presets)
+_register, _unregister = registration(
+    MEANDER_OT_use_preset, MEANDER_OT_add_preset, MEANDER_PT_presets
+)
 
 
 def register() -> None:
     # Blender 4.3 and later then know them as an extension's; before, folders() does.
     add_preset_path(_HOME)
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
+    _register()
 
 
 def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+    _unregister()
     remove_preset_path(_HOME)

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import functools
+from collections.abc import Callable
+
 import bmesh
 import bpy
 import numpy as np
@@ -38,13 +41,20 @@ def _leave_edit_mode(context: bpy.types.Context) -> None:
         bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def _use(
+def _made(
     operator: bpy.types.Operator,
-    surface: bpy.types.Object,
-    strands: list[tuple[np.ndarray, bool]],
+    context: bpy.types.Context,
+    find: Callable[[bpy.types.Object, bpy.types.Depsgraph], list[tuple[np.ndarray, bool]]],
     guides: bool = False,
-) -> None:
-    """Makes the curve and the seed, or the guides, of it."""
+) -> set[str]:
+    """Makes a curve of the strands that are found, and the seed, or the guides, of it."""
+    surface, mode = context.active_object, context.active_object.mode
+    _leave_edit_mode(context)
+    try:
+        strands = find(surface, context.evaluated_depsgraph_get())
+    except DataError:
+        bpy.ops.object.mode_set(mode=mode)
+        raise
     seed = new_seed(surface, f"{surface.name} {'Guides' if guides else 'Seed'}", strands)
     if guides:
         settings_to_change(surface).guides = seed
@@ -53,6 +63,7 @@ def _use(
     count = "one strand" if len(strands) == 1 else f"{len(strands)} strands"
     is_what = "guides" if guides else "the seed"
     operator.report({"INFO"}, f"{seed.name}, {count}, is {is_what} of {surface.name}")
+    return {"FINISHED"}
 
 
 class MEANDER_OT_seed_from_edges(bpy.types.Operator):
@@ -81,16 +92,8 @@ class MEANDER_OT_seed_from_edges(bpy.types.Operator):
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
-        surface, mode = context.active_object, context.active_object.mode
-        _leave_edit_mode(context)
-        try:
-            depsgraph = context.evaluated_depsgraph_get()
-            strands = strands_of_edges(surface, depsgraph, branches=self.guides)
-        except DataError:
-            bpy.ops.object.mode_set(mode=mode)
-            raise
-        _use(self, surface, strands, self.guides)
-        return {"FINISHED"}
+        found = functools.partial(strands_of_edges, branches=self.guides)
+        return _made(self, context, found, self.guides)
 
 
 class MEANDER_OT_seed_from_boundary(bpy.types.Operator):
@@ -110,16 +113,8 @@ class MEANDER_OT_seed_from_boundary(bpy.types.Operator):
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
-        surface, mode = context.active_object, context.active_object.mode
-        _leave_edit_mode(context)
-        try:
-            depsgraph = context.evaluated_depsgraph_get()
-            strands = strands_of_boundary(surface, depsgraph, selected=mode == "EDIT")
-        except DataError:
-            bpy.ops.object.mode_set(mode=mode)
-            raise
-        _use(self, surface, strands)
-        return {"FINISHED"}
+        in_edit_mode = context.active_object.mode == "EDIT"
+        return _made(self, context, functools.partial(strands_of_boundary, selected=in_edit_mode))
 
 
 class MEANDER_OT_stroke_from_vertices(bpy.types.Operator):

@@ -33,6 +33,7 @@ from .look import ProfileSettings
 from .motion import FollowSettings
 from .points import PointSettings
 from .preparation import MeanderProblem, PreparationSettings
+from .registered import registration
 from .strands import StrandSettings
 
 
@@ -317,12 +318,13 @@ class MeanderLinked(bpy.types.PropertyGroup):
     settings: PointerProperty(type=MeanderSettings, options=set())
 
 
-_CLASSES = (MeanderGap, MeanderFigures, MeanderProblem, MeanderSettings, MeanderLinked)
+_register, _unregister = registration(
+    MeanderGap, MeanderFigures, MeanderProblem, MeanderSettings, MeanderLinked
+)
 
 
 def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
+    _register()
     bpy.types.Object.meander = PointerProperty(type=MeanderSettings)
     bpy.types.Scene.meander_linked = CollectionProperty(type=MeanderLinked, options=set())
 
@@ -330,5 +332,4 @@ def register() -> None:
 def unregister() -> None:
     del bpy.types.Scene.meander_linked
     del bpy.types.Object.meander
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+    _unregister()

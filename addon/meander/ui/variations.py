@@ -17,6 +17,7 @@ from ..scene.fillable import is_result
 from ..scene.linked_settings import settings_of, settings_to_change
 from .fill import poll_run
 from .refusing import refusing
+from .registered import registration
 
 _COUNT, _COLUMNS = 6, 3
 _PIXELS = 160
@@ -158,15 +159,11 @@ class MEANDER_PT_variations(bpy.types.Panel):
         row.operator(MEANDER_OT_show_variations.bl_idname, text="Six Others").following = True
 
 
-_CLASSES = (MEANDER_OT_show_variations, MEANDER_OT_use_variation, MEANDER_PT_variations)
-
-
-def register() -> None:
-    for cls in _CLASSES:
-        bpy.utils.register_class(cls)
+register, _unregister = registration(
+    MEANDER_OT_show_variations, MEANDER_OT_use_variation, MEANDER_PT_variations
+)
 
 
 def unregister() -> None:
-    for cls in reversed(_CLASSES):
-        bpy.utils.unregister_class(cls)
+    _unregister()
     shown.end()
