@@ -4,9 +4,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from pathlib import Path
 
 import bpy
+import geometry
 import numpy as np
+from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 
 # Enough for a small run to settle, and an end to one that does not.
@@ -132,6 +136,31 @@ def refused(thing: bpy.types.Object, spacing: float = 0.3, **settings) -> str:
     return sentence
 
 
+def saved(path: Path) -> Path:
+    """The scene as a file."""
+    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    return path
+
+
+def reopened(path: Path) -> None:
+    """Saves the scene as a file, and opens that in a Blender that has forgotten it."""
+    saved(path)
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    bpy.ops.wm.open_mainfile(filepath=str(path))
+
+
+def in_edit_mode(surface: bpy.types.Object, chosen: Callable[[Vector], bool]) -> None:
+    """With the faces selected whose middles are chosen."""
+    activate(surface)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_mode(type="FACE")
+    bpy.ops.mesh.select_all(action="DESELECT")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    for polygon in surface.data.polygons:
+        polygon.select = chosen(polygon.center)
+    bpy.ops.object.mode_set(mode="EDIT")
+
+
 def counts() -> dict[str, int]:
     return {
         kind: len(getattr(bpy.data, kind))
@@ -186,9 +215,7 @@ def world_triangles(thing: bpy.types.Object) -> tuple[np.ndarray, np.ndarray]:
 
 
 def area_of(thing: bpy.types.Object) -> float:
-    vertices, faces = world_triangles(thing)
-    a, b, c = (vertices[faces[:, k]] for k in range(3))
-    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2.0)
+    return float(geometry.triangle_areas(*world_triangles(thing)).sum())
 
 
 def farthest_from(thing: bpy.types.Object, curve: bpy.types.Object) -> float:
@@ -209,11 +236,16 @@ def farthest_from(thing: bpy.types.Object, curve: bpy.types.Object) -> float:
     return farthest
 
 
+def column(rows, name: str, width: int = 1, kind: type = np.float32) -> np.ndarray:
+    """A property of every element of a collection: (n,), or (n, width) of vectors."""
+    values = np.empty(width * len(rows), dtype=kind)
+    rows.foreach_get(name, values)
+    return values if width == 1 else values.reshape(-1, width)
+
+
 def pieces_of(mesh: bpy.types.Mesh) -> int:
     """How many pieces a mesh is in, by its edges."""
-    ends = np.empty(2 * len(mesh.edges), dtype=np.int32)
-    mesh.edges.foreach_get("vertices", ends)
-    a, b = ends.reshape(-1, 2).T
+    a, b = column(mesh.edges, "vertices", 2, np.int32).T
     labels = np.arange(len(mesh.vertices))
     while (labels[a] != labels[b]).any():
         least = np.minimum(labels[a], labels[b])

@@ -11,7 +11,7 @@ import pytest
 from meander.scene import assets
 from meander.scene.assets import structure_of
 from meander.scene.errors import DataError
-from scenes import counts
+from scenes import counts, reopened
 
 ROOT = Path(__file__).resolve().parents[2]
 # The interface of node groups is another from 4.0 on; files of 3.4 are read there.
@@ -94,10 +94,7 @@ def test_a_changed_material_stays_its_owners():
 def test_assets_are_used_again_after_the_file_was_read(tmp_path):
     group = assets.node_group("Meander Look")
     group.use_fake_user = True
-    path = str(tmp_path / "saved.blend")
-    bpy.ops.wm.save_as_mainfile(filepath=path)
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    bpy.ops.wm.open_mainfile(filepath=path)
+    reopened(tmp_path / "saved.blend")
     assert assets.node_group("Meander Look") == bpy.data.node_groups["Meander Look"]
 
 

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import bpy
+import geometry
 import meander
 import numpy as np
 import pytest
@@ -185,14 +186,13 @@ def test_a_bake_renders_without_the_add_on(
     assert len(bent["names"]) == len(frames), "one curve in every frame"
     if motion == "EVEN":
         assert bent["names"].tolist() == frames
-        assert 0.85 < pieces.sum() * SPACING / _area(vertices, faces) < 1.15
+        assert 0.85 < pieces.sum() * SPACING / geometry.triangle_areas(vertices, faces).sum() < 1.15
 
 
 def test_the_batch_command_bakes(result: bpy.types.Object, tmp_path: Path, run_batch) -> None:
     bpy.data.objects.remove(result)
     scenes.activate(bpy.data.objects["Tube"])
-    before = tmp_path / "tube.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(before))
+    before = scenes.saved(tmp_path / "tube.blend")
     output = tmp_path / "baked.blend"
     arguments = ("--input", before, "--output", output, "--spacing", SPACING, "--quiet")
     done = run_batch(*arguments, "--bake-frames", 1, 4, "--motion-steps", 5)
@@ -229,8 +229,3 @@ def _pixels(picture: Path) -> np.ndarray:
     image.pixels.foreach_get(buffer)
     bpy.data.images.remove(image)
     return buffer.reshape(height, width, 4)
-
-
-def _area(vertices: np.ndarray, faces: np.ndarray) -> float:
-    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
-    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2.0)

@@ -14,7 +14,7 @@ import meander
 import numpy as np
 import pytest
 from meander.scene import density as scene_density
-from scenes import circle_points, farthest_from, length_of, poly_curve, sphere
+from scenes import circle_points, column, farthest_from, length_of, poly_curve, saved, sphere
 
 BATCH = Path(meander.__file__).parent / "batch.py"
 
@@ -44,9 +44,7 @@ def scene(tmp_path_factory) -> Path:
     heights.data.foreach_set("value", [vertex.co.z for vertex in surface.data.vertices])
     poly_curve("Ring", [circle_points(0.43, 0.9)], True)
     poly_curve("Far", [circle_points(1.0, 9.0)], True)
-    path = tmp_path_factory.mktemp("scene") / "scene.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
-    return path
+    return saved(tmp_path_factory.mktemp("scene") / "scene.blend")
 
 
 def test_a_scene_with_named_objects(scene, tmp_path):
@@ -175,8 +173,7 @@ def test_points_come_beside_the_curve(scene: Path, tmp_path: Path, run_batch, ki
     points = bpy.data.objects["Ball Meander Points"]
     assert points.type == kind.upper()
     room = points.data.attributes["r_plus"].data
-    values = np.empty(len(room), dtype=np.float32)
-    room.foreach_get("value", values)
+    values = column(room, "value")
     assert 0.16 < np.median(values) < 0.24
     splines = bpy.data.objects["Ball Meander"].data.splines
     assert len(values) >= sum(len(spline.points) for spline in splines)
@@ -236,8 +233,7 @@ def test_what_a_file_says_of_its_surface_comes_along_into_a_blend(tmp_path, run_
     settings = curve.meander
     assert (settings.density_source, settings.density_attribute) == ("ATTRIBUTE", "Density Values")
     assert settings.use_density_range and (settings.density_low, settings.density_high) == (0, 1)
-    values = np.empty(81, dtype=np.float32)
-    settings.surface.data.attributes["Density Values"].data.foreach_get("value", values)
+    values = column(settings.surface.data.attributes["Density Values"].data, "value")
     assert values[13] < 0.3 < values[67], "dark below, bright above"
     curve.meander.iteration_limit = 5
     bpy.context.view_layer.objects.active = curve

@@ -18,7 +18,7 @@ import pytest
 from meander import batch
 from meander.headless.scene_output import is_whole
 from meander.jobs.objects import Meshes
-from scenes import sphere
+from scenes import saved, sphere
 
 ADDON = Path(meander.__file__).parents[1]
 
@@ -40,8 +40,7 @@ def scene(tmp_path: Path, marker: Path) -> Path:
     driver = surface.driver_add("location", 0).driver
     # Too much for Blender's own reader of plain sums.
     driver.expression = "[5.0, bpy.app.version[0]][0]"
-    path = tmp_path / "scene.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    path = saved(tmp_path / "scene.blend")
     assert not marker.exists()
     return path
 

@@ -416,9 +416,7 @@ def test_refusals(tmp_path: Path) -> None:
 def saved(tmp_path: Path) -> Path:
     camera((0.0, -8.0, 0.0))
     bpy.ops.mesh.primitive_uv_sphere_add()
-    path = tmp_path / "scene.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
-    return path
+    return scenes.saved(tmp_path / "scene.blend")
 
 
 def run_command(*arguments: object, scene: Path) -> subprocess.CompletedProcess:

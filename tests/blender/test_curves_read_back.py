@@ -8,17 +8,15 @@ like it; both are the same curve.
 from __future__ import annotations
 
 import json
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import bpy
+import geometry
 import numpy as np
 import pytest
 from meander import batch
-
-sys.path.append(str(Path(__file__).parents[1] / "core"))
-import geometry  # noqa: E402
+from scenes import column
 
 
 @dataclass(frozen=True)
@@ -54,12 +52,8 @@ def read_by_blender(path: Path) -> tuple[np.ndarray, np.ndarray]:
     meshes = [thing.data for thing in bpy.data.objects if thing.type == "MESH"]
     points, edges, count = [], [], 0
     for mesh in meshes:
-        own = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-        mesh.vertices.foreach_get("co", own)
-        ends = np.empty(2 * len(mesh.edges), dtype=np.int32)
-        mesh.edges.foreach_get("vertices", ends)
-        points.append(own.reshape(-1, 3))
-        edges.append(ends.reshape(-1, 2) + count)
+        points.append(column(mesh.vertices, "co", 3))
+        edges.append(column(mesh.edges, "vertices", 2, np.int32) + count)
         count += len(mesh.vertices)
     return np.vstack(points).astype(np.float64), np.vstack(edges)
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import bpy
+import geometry
 import numpy as np
 import pytest
 import scenes
@@ -19,29 +20,22 @@ class Made:
     def __init__(self, thing: bpy.types.Object) -> None:
         mesh = thing.data
         self.mesh = mesh
-        self.points = self._read(mesh.vertices, "co", 3)
-        self.faces = self._read(mesh.loops, "vertex_index", 1, np.int32).reshape(-1, 3)
-        self.edges = self._read(mesh.edges, "vertices", 2, np.int32)
-        self.seams = self._read(mesh.edges, "use_seam", 1, bool)[:, 0]
-        self.materials = self._read(mesh.polygons, "material_index", 1, np.int32)[:, 0]
+        self.points = scenes.column(mesh.vertices, "co", 3)
+        self.faces = scenes.column(mesh.loops, "vertex_index", 1, np.int32).reshape(-1, 3)
+        self.edges = scenes.column(mesh.edges, "vertices", 2, np.int32)
+        self.seams = scenes.column(mesh.edges, "use_seam", 1, bool)
+        self.materials = scenes.column(mesh.polygons, "material_index", 1, np.int32)
         matrix = np.array([row[:] for row in thing.matrix_world])
         self.world = self.points @ matrix[:3, :3].T + matrix[:3, 3]
 
-    @staticmethod
-    def _read(rows, name: str, width: int, kind: type = np.float32) -> np.ndarray:
-        values = np.empty(width * len(rows), dtype=kind)
-        rows.foreach_get(name, values)
-        return values.reshape(-1, width)
-
     def attribute(self, name: str, kind: type = np.float32) -> np.ndarray:
-        return self._read(self.mesh.attributes[name].data, "value", 1, kind)[:, 0]
+        return scenes.column(self.mesh.attributes[name].data, "value", 1, kind)
 
     def uv(self, name: str) -> np.ndarray:
-        return self._read(self.mesh.uv_layers[name].data, "uv", 2).reshape(-1, 3, 2)
+        return scenes.column(self.mesh.uv_layers[name].data, "uv", 2).reshape(-1, 3, 2)
 
     def areas(self) -> np.ndarray:
-        a, b, c = (self.world[self.faces[:, k]] for k in range(3))
-        return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+        return geometry.triangle_areas(self.world, self.faces)
 
     def faces_of_edges(self) -> dict[tuple[int, int], list[int]]:
         found: dict[tuple[int, int], list[int]] = {}
@@ -80,10 +74,7 @@ def test_a_sphere_has_two_colours_of_the_same_area() -> None:
     areas = made.areas()
     halves = [areas[made.materials == k].sum() for k in (0, 1)]
     assert halves[0] == pytest.approx(halves[1], rel=0.1)
-    vertices, faces = scenes.world_triangles(surface)
-    a, b, c = (vertices[faces[:, k]] for k in range(3))
-    whole = np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
-    assert sum(halves) == pytest.approx(whole, rel=1e-4)
+    assert sum(halves) == pytest.approx(scenes.area_of(surface), rel=1e-4)
     # Each side as an object of its own, which together are the same.
     scenes.activate(result)
     assert bpy.ops.meander.two_tone(parts="TWO", hide=False) == {"FINISHED"}
@@ -101,9 +92,8 @@ def test_a_relief_rises_between_the_turns() -> None:
     distance = flat.attribute("distance")
     depsgraph = bpy.context.evaluated_depsgraph_get()
     evaluated = thing.evaluated_get(depsgraph)
-    risen = np.empty(3 * len(flat.points), dtype=np.float32)
-    evaluated.data.vertices.foreach_get("co", risen)
-    height = np.linalg.norm(risen.reshape(-1, 3), axis=1) - np.linalg.norm(flat.points, axis=1)
+    risen = scenes.column(evaluated.data.vertices, "co", 3)
+    height = np.linalg.norm(risen, axis=1) - np.linalg.norm(flat.points, axis=1)
     assert np.abs(height[distance == 0.0]).max() < 1e-5
     ridge = distance > 0.5 * SPACING
     assert ridge.any()
@@ -233,7 +223,7 @@ def test_a_ribbon_has_colours_of_its_own_along_the_line() -> None:
     assert bpy.ops.meander.ribbon(detail=1.0) == {"FINISHED"}
     made = Made(bpy.context.active_object)
     layer = made.mesh.color_attributes.active_color
-    colours = made._read(layer.data, "color", 4)
+    colours = scenes.column(layer.data, "color", 4)
     uv = made.uv("Ribbon").reshape(-1, 2)
     off = np.abs(uv[:, 1] - 0.5)
     assert colours[off < 0.01, 0].min() > 0.25 and colours[off > 0.49, 0].max() < 0.1

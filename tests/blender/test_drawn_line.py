@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from meander.run import rounding
 from meander.scene import drawn_line, look
-from scenes import fill, sphere, world_splines
+from scenes import column, fill, reopened, sphere, world_splines
 
 SPACING = 0.35
 RADIUS = 0.2 * SPACING
@@ -20,8 +20,7 @@ def rings(result: bpy.types.Object) -> np.ndarray:
     """The middles of the rings of a result's body."""
     bpy.context.view_layer.update()
     mesh = result.evaluated_get(bpy.context.evaluated_depsgraph_get()).to_mesh()
-    places = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-    mesh.vertices.foreach_get("co", places)
+    places = column(mesh.vertices, "co", 3)
     return places.reshape(-1, 8, 3).mean(axis=1)
 
 
@@ -96,8 +95,7 @@ def test_a_deformed_curve_is_drawn_as_it_is(result: bpy.types.Object) -> None:
 
 def test_a_file_keeps_the_drawn_line(result: bpy.types.Object, tmp_path: Path) -> None:
     before, name = rings(result), result.name
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "a.blend"))
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "a.blend"))
+    reopened(tmp_path / "a.blend")
     assert np.allclose(rings(bpy.data.objects[name]), before, atol=1e-6)
 
 

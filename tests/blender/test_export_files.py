@@ -378,8 +378,7 @@ def test_the_window_writes_for_machines_as_the_command_does(tmp_path: Path, mach
     _export(tmp_path / "window.gcode", machine=machine.upper(), tool=tool.upper(), size=90.0)
     surface = result.meander.surface
     bpy.context.view_layer.objects.active = surface
-    scene = tmp_path / "scene.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(scene))
+    scene = scenes.saved(tmp_path / "scene.blend")
     given = ["--input", scene, "--object", surface.name, "--output", tmp_path / "command.gcode"]
     given += ["--spacing", "0.3", "--quiet", "--machine", machine, "--tool", tool, "--size", "90"]
     assert batch.main([str(a) for a in given]) == 0

@@ -127,8 +127,7 @@ def test_a_run_makes_an_object_of_all_points(kind: str) -> None:
 
 def test_the_room_is_known_until_the_points_change(tmp_path: Path) -> None:
     scenes.fill(scenes.sphere(), 0.4)
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "kept.blend"))
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "kept.blend"))
+    scenes.reopened(tmp_path / "kept.blend")
     result = scenes.activate(bpy.data.objects["Icosphere Meander"])
     assert bpy.ops.meander.points_to_mesh() == {"FINISHED"}
     _check_points(bpy.data.objects[f"{result.name} Points"], result, 0.2)

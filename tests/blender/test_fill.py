@@ -27,6 +27,7 @@ from scenes import (
     matrix_of,
     packing,
     poly_curve,
+    reopened,
     sphere,
     world_splines,
 )
@@ -181,10 +182,7 @@ def test_settings_and_results_survive_the_file(tmp_path):
     seed = poly_curve("Seed", [circle_points(0.45, 0.89)], True)
     result = fill(surface, 0.4, seed=seed, factor_1=0.25)
     name, points = result.name, world_splines(result)[0][0]
-    path = str(tmp_path / "saved.blend")
-    bpy.ops.wm.save_as_mainfile(filepath=path)
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    bpy.ops.wm.open_mainfile(filepath=path)
+    reopened(tmp_path / "saved.blend")
     result = bpy.data.objects[name]
     assert result.meander.surface.name == "Icosphere"
     assert result.meander.seed.name == "Seed"

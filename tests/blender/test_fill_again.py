@@ -19,6 +19,7 @@ from scenes import (
     length_of,
     points_of,
     poly_curve,
+    reopened,
     sphere,
     world_splines,
 )
@@ -172,9 +173,7 @@ def test_the_last_result_is_found_after_undo_and_in_a_file(tmp_path):
     surface, result = bpy.data.objects["Surface"], bpy.data.objects["Line"]
     assert length_of(result) == pytest.approx(former, rel=1e-6)
     assert run_again(surface, 0.3) == result
-    path = str(tmp_path / "saved.blend")
-    bpy.ops.wm.save_as_mainfile(filepath=path)
-    bpy.ops.wm.open_mainfile(filepath=path)
+    reopened(tmp_path / "saved.blend")
     surface = bpy.data.objects["Surface"]
     before = counts()
     assert run_again(surface, 0.25) == bpy.data.objects["Line"]

@@ -15,6 +15,7 @@ from scenes import (
     farthest_from,
     fill,
     grid,
+    in_edit_mode,
     mesh_object,
     packing,
     points_of,
@@ -148,17 +149,6 @@ def test_an_automatic_spacing_is_each_ones_own():
 
 # ------------------------------------------------------------------------------------------------
 # Edit Mode
-
-
-def in_edit_mode(surface: bpy.types.Object, chosen) -> None:
-    activate(surface)
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.select_mode(type="FACE")
-    bpy.ops.mesh.select_all(action="DESELECT")
-    bpy.ops.object.mode_set(mode="OBJECT")
-    for polygon in surface.data.polygons:
-        polygon.select = chosen(polygon.center)
-    bpy.ops.object.mode_set(mode="EDIT")
 
 
 @pytest.mark.parametrize("levels", [0, 1])

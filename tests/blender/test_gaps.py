@@ -20,6 +20,7 @@ from scenes import (
     matrix_of,
     points_of,
     poly_curve,
+    reopened,
     sphere,
 )
 
@@ -169,10 +170,7 @@ def test_only_on_results():
 def test_gaps_are_saved_with_the_file(tmp_path):
     result = stopped_early(sphere())
     name, gaps = result.name, world_gaps(result)
-    path = str(tmp_path / "saved.blend")
-    bpy.ops.wm.save_as_mainfile(filepath=path)
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    bpy.ops.wm.open_mainfile(filepath=path)
+    reopened(tmp_path / "saved.blend")
     result = activate(bpy.data.objects[name])
     assert np.array_equal(world_gaps(result), gaps)
     result.meander.figures.wide_gaps = -1  # as results of earlier versions have it

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import bpy
@@ -15,11 +14,8 @@ from meander.scene.blender_versions import add_geometry_socket
 from meander.scene.errors import DataError
 from meander.scene.meshes import surface_now, triangles_of
 from panel_layout import drawn, panels
+from sentences import assert_sentence
 from test_batch_scene import run_alone
-
-sys.path.append(str(Path(__file__).parents[1] / "core"))
-
-from sentences import assert_sentence  # noqa: E402
 
 # Where copies stand, how large they are, and by how much they are turned about z.
 PLACES = [(0.0, 0.0, 0.0), (4.0, 0.0, 1.0), (0.0, 6.0, 0.0), (-5.0, 0.0, 0.0)]

@@ -41,9 +41,8 @@ def body_of(thing: bpy.types.Object) -> bpy.types.Mesh:
 def heights(thing: bpy.types.Object) -> np.ndarray:
     """How far the vertices of its body are from the middle of a sphere of radius 1."""
     mesh = body_of(thing)
-    points = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-    mesh.vertices.foreach_get("co", points)
-    return np.linalg.norm(points.reshape(-1, 3), axis=1)
+    points = scenes.column(mesh.vertices, "co", 3)
+    return np.linalg.norm(points, axis=1)
 
 
 def choose(thing: bpy.types.Object, **values) -> bpy.types.Object:
@@ -121,13 +120,10 @@ def test_a_body_knows_where_along_its_strand_it_is():
 def test_colours_jump_nowhere_on_a_line(closed: bool):
     seed = poly_curve("Seed", [circle_points(0.45, 0.89)[: None if closed else 12]], closed)
     mesh = body_of(fill(sphere(), SPACING, seed=seed, iteration_limit=30))
-    ramp = np.empty(len(mesh.vertices), dtype=np.float32)
-    mesh.attributes["ramp"].data.foreach_get("value", ramp)
-    along = np.empty(len(mesh.vertices), dtype=np.float32)
-    mesh.attributes["along"].data.foreach_get("value", along)
-    edges = np.empty(2 * len(mesh.edges), dtype=np.int32)
-    mesh.edges.foreach_get("vertices", edges)
-    assert np.abs(np.diff(ramp[edges.reshape(-1, 2)], axis=1)).max() < 0.05
+    ramp = scenes.column(mesh.attributes["ramp"].data, "value")
+    along = scenes.column(mesh.attributes["along"].data, "value")
+    edges = scenes.column(mesh.edges, "vertices", 2, np.int32)
+    assert np.abs(np.diff(ramp[edges], axis=1)).max() < 0.05
     assert np.ptp(ramp) > 0.95
     if not closed:
         assert np.allclose(ramp, along)
@@ -183,8 +179,7 @@ def test_a_body_is_bent_round_the_creases_of_its_surface(profile: str):
     assert closed
     sides = {"ROUND": 8, "RIBBON": 4}[profile]
     mesh = body_of(result)
-    points = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-    mesh.vertices.foreach_get("co", points)
+    points = scenes.column(mesh.vertices, "co", 3)
     rings = points.reshape(-1, sides, 3).astype(float)
     middles = rings.mean(axis=1)
     # A pipe that is bent by a right angle at one place is .7 of its width there.
@@ -253,8 +248,7 @@ def test_fuzz_is_loose_fibres_that_have_the_colours_of_their_place():
     assert np.abs(heights(result) - 1.0).max() < 3.0 * 0.15 * SPACING
     mesh = body_of(result)
     assert pieces_of(mesh) > 500 and len(mesh.vertices) > 1.5 * smooth
-    ramp = np.empty(len(mesh.vertices), dtype=np.float32)
-    mesh.attributes["ramp"].data.foreach_get("value", ramp)
+    ramp = scenes.column(mesh.attributes["ramp"].data, "value")
     assert np.quantile(ramp[smooth:], 0.1) > 0.01 and np.ptp(ramp[smooth:]) > 0.9
     # Of many lengths, most of them short.
     reach = heights(result) - 1.0
@@ -268,11 +262,10 @@ def test_fuzz_is_loose_fibres_that_have_the_colours_of_their_place():
 def test_a_line_knows_its_surface_and_can_fade_behind():
     result = small(bevel_share=0.15)
     mesh = body_of(result)
-    normals = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-    mesh.attributes["surface_normal"].data.foreach_get("vector", normals)
+    normals = scenes.column(mesh.attributes["surface_normal"].data, "vector", 3)
     points = np.array([vertex.co for vertex in mesh.vertices])
     outward = points / np.linalg.norm(points, axis=1, keepdims=True)
-    assert ((normals.reshape(-1, 3) * outward).sum(axis=1) > 0.9).mean() > 0.98
+    assert ((normals * outward).sum(axis=1) > 0.9).mean() > 0.98
     nodes = {node.label: node for node in look.material_of(result).node_tree.nodes}
     assert nodes["Fade Behind"].outputs[0].default_value == 0.0
     assert nodes["Color Behind"].bl_idname == "ShaderNodeRGB"

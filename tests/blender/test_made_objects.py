@@ -139,6 +139,5 @@ def test_what_was_made_from_a_deleted_curve_is_a_mesh_like_any_other(tmp_path: P
     scenes.activate(made.meander.made_from)
     assert bpy.ops.object.delete() == {"FINISHED"}
     surface.meander.last_result = None  # which keeps it for undo
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "made.blend"))
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "made.blend"))
+    scenes.reopened(tmp_path / "made.blend")
     assert name not in bpy.data.objects

@@ -210,8 +210,7 @@ def test_an_image_that_a_run_is_made_from_is_not_written_over(
     image.filepath_raw, image.file_format = str(tmp_path / name), "PNG"
     image.save()
     image.source = "FILE"
-    path = tmp_path / "scene.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    path = scenes.saved(tmp_path / "scene.blend")
     before = (tmp_path / name).read_bytes()
     given = ("--input", path, "--object", "Ball", "--spacing", SPACING, "--iterations", 1)
     given += ("--output", tmp_path / "curve.obj", "--maps", tmp_path / "m.png", "--map-size", 32)
@@ -226,8 +225,7 @@ def test_an_image_that_a_run_is_made_from_is_not_written_over(
 def test_the_batch_command_writes_images(tmp_path: Path, run_batch) -> None:
     surface = scenes.sphere()
     surface.name = "Ball"
-    path = tmp_path / "scene.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    path = scenes.saved(tmp_path / "scene.blend")
     given = ("--input", path, "--object", "Ball", "--spacing", SPACING, "--iterations", 30)
     given += ("--output", tmp_path / "curve.obj")
     done = run_batch(

@@ -3,9 +3,6 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import bpy
 import numpy as np
 import pytest
@@ -23,10 +20,8 @@ from scenes import (
     sphere,
     world_splines,
 )
+from sentences import assert_sentence
 from watched_runs import FakeWindow, begin, tick_until
-
-sys.path.append(str(Path(__file__).parents[1] / "core"))
-from sentences import assert_sentence  # noqa: E402
 
 pytestmark = pytest.mark.usefixtures("nothing_kept")
 

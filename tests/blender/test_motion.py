@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import bpy
+import geometry
 import numpy as np
 import pytest
 import scenes
@@ -18,15 +19,7 @@ ON_SURFACE = 0.006
 
 def _tube(frames: int = 8) -> bpy.types.Object:
     """A tube that is stretched to 1.6 of its length and bent, by shape keys, over the frames."""
-    around, along, height = 24, 16, 4.0
-    angles = 2 * np.pi * np.arange(around) / around
-    levels = np.linspace(0.0, height, along + 1)
-    vertices = np.array([[np.cos(a), np.sin(a), z] for z in levels for a in angles])
-    faces = []
-    for j in range(along):
-        for i in range(around):
-            a, b = j * around + i, j * around + (i + 1) % around
-            faces += [[a, b, b + around], [a, b + around, a + around]]
+    vertices, faces = geometry.tube(24, 16, 4.0)
     thing = scenes.mesh_object("Tube", vertices, faces)
     thing.shape_key_add(name="Basis")
     key = thing.shape_key_add(name="Bent", from_mix=False)
@@ -88,8 +81,7 @@ def test_a_file_goes_on_following_wherever_it_jumps(
 ) -> None:
     result.meander.follow = True
     result.meander.motion_steps = 30
-    path = tmp_path / "following.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    path = scenes.saved(tmp_path / "following.blend")
     bpy.ops.wm.open_mainfile(filepath=str(path))
     tube, result = bpy.data.objects["Tube"], bpy.data.objects["Tube Meander"]
     bpy.context.scene.frame_set(8)
@@ -146,8 +138,7 @@ def test_other_faces_between_as_many_vertices_are_a_sentence(
     before = scenes.points_of(result)
     # As many triangles, but between other vertices.
     mesh = tube.data
-    corners = np.empty(len(mesh.loops), dtype=np.int32)
-    mesh.loops.foreach_get("vertex_index", corners)
+    corners = scenes.column(mesh.loops, "vertex_index", kind=np.int32)
     order = np.random.default_rng(1).permutation(len(mesh.vertices)).astype(np.int32)
     mesh.loops.foreach_set("vertex_index", order[corners])
     mesh.update(calc_edges=True)

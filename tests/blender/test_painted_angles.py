@@ -9,7 +9,7 @@ import pytest
 from meander import batch, core
 from meander.model.alignment import Alignment
 from meander.scene import alignment as scene_alignment
-from scenes import fill, grid, points_of, refused, world_triangles
+from scenes import fill, grid, points_of, refused, saved, world_triangles
 
 
 def places(thing: bpy.types.Object) -> np.ndarray:
@@ -112,8 +112,7 @@ def test_halves_have_directions_of_their_own(run_command, kind: str):
 def test_the_result_in_a_blend_knows_the_angle(run_command, tmp_path):
     thing = grid()
     paint(thing, "GROUP", np.full(len(thing.data.vertices), 45.0))
-    scene = tmp_path / "in.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(scene))
+    scene = saved(tmp_path / "in.blend")
     given = ["--input", scene, "--output", tmp_path / "out.blend", "--spacing", "0.3", "--quiet"]
     given += ["--direction", "x", "--direction-angle", "Angle", "--iterations", "5"]
     assert batch.main([str(a) for a in given]) == 0

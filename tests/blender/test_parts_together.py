@@ -10,7 +10,7 @@ from meander.run import estimate, live, suspended
 from meander.run.queue import Queue
 from meander.scene.points import bind
 from meander.ui import live as live_operator
-from scenes import activate, counts, fill, grid, point_count, sphere
+from scenes import activate, counts, fill, grid, in_edit_mode, point_count, sphere
 from watched_runs import begin, tick_until
 
 pytestmark = pytest.mark.usefixtures("nothing_kept")
@@ -136,13 +136,8 @@ def test_a_bridged_live_light_result_stays_one_line_and_can_be_cut():
 
 def test_live_stays_on_the_faces_that_were_filled_in_edit_mode():
     surface = grid(cells=12)
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.select_all(action="DESELECT")
-    bpy.ops.object.mode_set(mode="OBJECT")
-    for polygon in surface.data.polygons:
-        polygon.select = polygon.center.x > 0.0
     surface.meander.spacing, surface.meander.live = 0.3, True
-    bpy.ops.object.mode_set(mode="EDIT")
+    in_edit_mode(surface, lambda middle: middle.x > 0.0)
     assert bpy.ops.meander.run() == {"FINISHED"}
     bpy.ops.object.mode_set(mode="OBJECT")
     result = surface.meander.last_result

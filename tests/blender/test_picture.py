@@ -69,8 +69,7 @@ def test_the_line_has_the_tones(ramp: Path) -> None:
 def test_the_sheet_is_all_that_is_made_where_it_is_not_filled(ramp: Path) -> None:
     sheet = drawn(ramp, fill=False, style="ENGRAVING")
     assert sheet.type == "MESH" and DIRECTION in sheet.data.attributes
-    values = np.empty(len(sheet.data.vertices), dtype=np.float32)
-    sheet.data.attributes[SPACING].data.foreach_get("value", values)
+    values = scenes.column(sheet.data.attributes[SPACING].data, "value")
     spacing = values * sheet.meander.spacing * 1000.0
     assert 1.5 / spacing.min() == pytest.approx(0.8, abs=0.01)
     assert 1.5 / spacing.max() == pytest.approx(0.15, abs=0.01)

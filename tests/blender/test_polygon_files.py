@@ -10,6 +10,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import bpy
+import geometry
 import numpy as np
 import pytest
 from meander.model.files import meshes
@@ -103,11 +104,6 @@ def ply_of(polygons: list[Polygon]) -> bytes:
     return ("\n".join(lines) + "\n").encode()
 
 
-def area_of(places: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    a, b, c = (places[triangles[:, corner]] for corner in range(3))
-    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2.0
-
-
 def imported(path: Path) -> bpy.types.Mesh:
     before = set(bpy.data.objects)
     if path.suffix == ".obj":
@@ -125,7 +121,7 @@ def areas_in_blender(path: Path) -> float:
     mesh.calc_loop_triangles()
     places = np.array([vertex.co[:] for vertex in mesh.vertices], dtype=float)
     triangles = np.array([t.vertices[:] for t in mesh.loop_triangles])
-    return float(area_of(places, triangles).sum())
+    return float(geometry.triangle_areas(places, triangles).sum())
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -136,7 +132,7 @@ def test_a_polygon_has_the_area_that_it_has_in_blender(kind, suffix, tmp_path):
     for number, polygon in enumerate(polygons_of(kind)):
         path.write_bytes(write([polygon]))
         ours = meshes.read(path)
-        area = float(area_of(ours.vertices, ours.faces).sum())
+        area = float(geometry.triangle_areas(ours.vertices, ours.faces).sum())
         assert area == pytest.approx(areas_in_blender(path), rel=2e-5), f"polygon {number}"
         assert len(ours.faces) <= len(polygon) - 2
 
@@ -147,7 +143,7 @@ def test_many_polygons_in_one_file(suffix, tmp_path):
     path = tmp_path / f"mesh{suffix}"
     path.write_bytes({".obj": obj_of, ".ply": ply_of}[suffix](polygons))
     ours = meshes.read(path)
-    area = float(area_of(ours.vertices, ours.faces).sum())
+    area = float(geometry.triangle_areas(ours.vertices, ours.faces).sum())
     assert area == pytest.approx(areas_in_blender(path), rel=2e-5)
     assert sorted(set(ours.polygons.tolist())) == list(range(len(polygons)))
 
@@ -166,7 +162,7 @@ def test_vertices_that_a_bridge_passes_twice(tmp_path):
         text = "".join(f"v {x!r} {y!r} 0\n" for x, y in np.float32(places).tolist())
         path.write_text(text + "f " + " ".join(map(str, numbers)) + "\n")
         ours = meshes.read(path)
-        area = float(area_of(ours.vertices, ours.faces).sum())
+        area = float(geometry.triangle_areas(ours.vertices, ours.faces).sum())
         assert area == pytest.approx(areas_in_blender(path), rel=2e-5)
 
 
@@ -188,6 +184,6 @@ def test_a_file_that_blender_writes_is_the_surface_in_blender(tmp_path):
     bpy.ops.wm.obj_export(filepath=str(path))
     ours = meshes.read(path)
     assert max(len(polygon.vertices) for polygon in cube.data.polygons) > 4
-    assert area_of(ours.vertices, ours.faces).sum() == pytest.approx(
-        area_of(places, triangles).sum(), rel=1e-4
+    assert geometry.triangle_areas(ours.vertices, ours.faces).sum() == pytest.approx(
+        geometry.triangle_areas(places, triangles).sum(), rel=1e-4
     )

@@ -9,7 +9,7 @@ from meander import core
 from meander.model.preparation import Repair
 from meander.scene.layouts import map_of
 from meander.scene.meshes import polygons_of, triangles_of
-from scenes import activate, fill, grid, mesh_object
+from scenes import activate, column, fill, grid, mesh_object
 
 CORNERS = 40_000
 
@@ -35,8 +35,7 @@ def traced() -> bpy.types.Object:
     places = np.stack([radius * np.cos(turn), radius * np.sin(turn), 0 * turn], axis=1)
     surface = mesh_object("Traced", places, [tuple(range(CORNERS))])
     layer = surface.data.uv_layers.new(name="Map")
-    corners = np.empty(CORNERS, dtype=np.int32)
-    surface.data.loops.foreach_get("vertex_index", corners)
+    corners = column(surface.data.loops, "vertex_index", kind=np.int32)
     layer.data.foreach_set("uv", places[corners, :2].astype(np.float32).ravel())
     return surface
 

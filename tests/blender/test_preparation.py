@@ -8,7 +8,7 @@ import json
 import bpy
 import numpy as np
 import pytest
-from scenes import activate, fill, grid, mesh_object, points_of, refused, world_splines
+from scenes import activate, fill, grid, mesh_object, points_of, refused, saved, world_splines
 
 SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
 
@@ -225,8 +225,7 @@ def test_results_keep_how_they_were_made():
 def test_the_batch_command(tmp_path, run_batch):
     surface = half_and_half()
     surface.name = "Square"
-    path = tmp_path / "scene.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    path = saved(tmp_path / "scene.blend")
     curve, report = tmp_path / "curve.obj", tmp_path / "report.json"
     base = ["--input", path, "--object", "Square", "--spacing", "0.2", "--iterations", "40"]
     base += ["--output", curve, "--report", report]

@@ -17,9 +17,7 @@ MAKERS = ("two_tone", "relief", "ribbon", "maze", "cut_along_curve")
 
 
 def vertices_of(thing: bpy.types.Object) -> np.ndarray:
-    found = np.empty(3 * len(thing.data.vertices), dtype=np.float32)
-    thing.data.vertices.foreach_get("co", found)
-    return found.reshape(-1, 3)
+    return scenes.column(thing.data.vertices, "co", 3)
 
 
 def fill_again(result: bpy.types.Object, spacing: float) -> None:
@@ -128,8 +126,7 @@ def test_duplicates_follow_too_and_a_file_keeps_how(tmp_path: Path) -> None:
     for thing in (linked, own):
         bpy.context.collection.objects.link(thing)
     names = [thing.name for thing in (made, linked, own, result)]
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "made.blend"))
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "made.blend"))
+    scenes.reopened(tmp_path / "made.blend")
     made, linked, own, result = (bpy.data.objects[name] for name in names)
     fill_again(result, 0.8 * SPACING)
     assert linked.data == made.data != own.data

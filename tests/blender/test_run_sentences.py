@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -18,14 +17,12 @@ from meander.run import cut, estimate, images, live, makers, motion
 from meander.run.plan import plan_run
 from meander.scene import points
 from meander.scene.errors import DataError
+from said_sentences import OF_SCENES, missing, sentences
 from scenes import activate, circle_points, cube, fill, grid, poly_curve, refused, sphere
+from sentences import assert_sentence
 from watched_runs import begin, tick_until
 
 HERE = Path(__file__).parent
-sys.path.append(str(HERE.parent / "core"))
-from said_sentences import OF_SCENES, missing, sentences  # noqa: E402
-from sentences import assert_sentence  # noqa: E402
-
 MODULES = [path for path in OF_SCENES if path.parent.name != "scene"]
 
 # A part of the sentence, and what test_camera_drawing.py quotes of it.

@@ -5,7 +5,6 @@ the test that ELSEWHERE names, which must quote it."""
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -41,13 +40,11 @@ from meander.scene.density import pixels_of
 from meander.scene.errors import DataError
 from meander.scene.meshes import triangles_of, vertex_group_weights
 from meander.scene.points import strands_of_result
+from said_sentences import OF_SCENES, missing
 from scenes import cube, fill, grease_pencil, grid, mesh_object, poly_curve, refused
+from sentences import assert_sentence
 
 HERE = Path(__file__).parent
-sys.path.append(str(HERE.parent / "core"))
-from said_sentences import OF_SCENES, missing  # noqa: E402
-from sentences import assert_sentence  # noqa: E402
-
 # A part of the sentence, the test of this folder that sees it come up, and what it quotes of it. Or
 # no test, and why there is none.
 ELSEWHERE = {

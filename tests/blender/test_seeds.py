@@ -16,6 +16,7 @@ from scenes import (
     counts,
     fill,
     grid,
+    in_edit_mode,
     packing,
     poly_curve,
     refused,
@@ -93,12 +94,7 @@ def test_no_edges_are_refused():
 
 def ring_with_hole() -> bpy.types.Object:
     surface = grid(6)
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.select_all(action="DESELECT")
-    bpy.ops.object.mode_set(mode="OBJECT")
-    for polygon in surface.data.polygons:
-        polygon.select = max(abs(polygon.center.x), abs(polygon.center.y)) < 0.4
-    bpy.ops.object.mode_set(mode="EDIT")
+    in_edit_mode(surface, lambda middle: max(abs(middle.x), abs(middle.y)) < 0.4)
     bpy.ops.mesh.delete(type="FACE")
     bpy.ops.object.mode_set(mode="OBJECT")
     return surface

@@ -102,8 +102,7 @@ def test_baked_frames_are_round(result: bpy.types.Object, motion: str) -> None:
 
 def test_the_command_writes_a_round_line_into_a_scene(tmp_path: Path, run_batch) -> None:
     scenes.sphere(subdivisions=3).name = "Ball"
-    path = tmp_path / "scene.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    path = scenes.saved(tmp_path / "scene.blend")
     sharp = []
     for name, more in (("plain", ()), ("round", ("--round", str(look.ROUND)))):
         output = tmp_path / f"{name}.blend"
