@@ -183,7 +183,7 @@ Pairs CrossingTest::find(const Surface& surface, const Curve& curve, ThreadPool&
 
 Pairs CrossingTest::find_among_pieces(const Surface& surface, const Curve& curve, ThreadPool& pool,
                                       const Table<uint8_t>* changed) {
-  by_face_.sort(pieces_, surface.face_count());
+  by_face_.sort(pieces_, surface.face_count(), pool);
   const size_t places = by_face_.places(), grain = faces_per_block(places);
   std::vector<Pairs> found(ThreadPool::block_count(places, grain));
   pool.for_blocks(places, grain, [&](size_t block, size_t begin, size_t end) {

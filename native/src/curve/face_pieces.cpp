@@ -2,40 +2,82 @@
 #include "curve/face_pieces.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "base/close_growth.h"
 
 namespace meander {
+namespace {
 
-/// By counting, in those faces only that hold pieces.
-void FacePieces::sort(const std::vector<std::vector<Piece>>& blocks, size_t faces) {
+/// So many parts at most, each of which counts every face; of fewer pieces than the second there is one.
+constexpr size_t kMostParts = 4, kWorthParts = 1u << 15;
+
+}  // namespace
+
+/// Parts of the curve count and put their pieces side by side, those of a face one part after the other.
+void FacePieces::sort(const std::vector<std::vector<Piece>>& blocks, size_t faces, const ThreadPool& pool) {
   forget_index();
   size_t total = 0;
   for (const std::vector<Piece>& block : blocks) total += block.size();
+  const size_t parts = total < kWorthParts ? 1 : std::clamp<size_t>(pool.size(), 1, kMostParts);
   // All memory first: counts must be 0 again in the end, whatever happens.
   const size_t most_places = std::min(total, faces);
   count_.resize(faces, 0);
+  if (parts_.size() < parts) parts_.resize(parts);
+  for (size_t k = 0; k < parts; ++k) {
+    Part& part = parts_[k];
+    part.begin = blocks.size() * k / parts;
+    part.end = blocks.size() * (k + 1) / parts;
+    if (k == 0) continue;  // the first one counts in count_
+    part.count.resize(faces, 0);
+    part.faces.clear();
+    size_t pieces = 0;
+    for (size_t b = part.begin; b < part.end; ++b) pieces += blocks[b].size();
+    part.faces.reserve(std::min(pieces, faces));
+  }
   resize_closely(sorted_, total);
   faces_.clear();
   faces_.reserve(most_places);
   end_.clear();
   end_.reserve(most_places);
-  for (const std::vector<Piece>& block : blocks) {
-    for (const Piece& p : block) {
-      if (count_[p.face]++ == 0) faces_.push_back(p.face);
+  const std::function<void(size_t, size_t, size_t)> count = [&](size_t k, size_t, size_t) {
+    std::vector<uint32_t>&counts = count_of(k), &met = k == 0 ? faces_ : parts_[k].faces;
+    for (size_t b = parts_[k].begin; b < parts_[k].end; ++b) {
+      for (const Piece& p : blocks[b]) {
+        if (counts[p.face]++ == 0) met.push_back(p.face);
+      }
+    }
+  };
+  const std::function<void(size_t, size_t, size_t)> put = [&](size_t k, size_t, size_t) {
+    std::vector<uint32_t>& next = count_of(k);
+    for (size_t b = parts_[k].begin; b < parts_[k].end; ++b) {
+      for (const Piece& p : blocks[b]) sorted_[next[p.face]++] = p;
+    }
+  };
+  ThreadPool unstopped = pool.with({});
+  unstopped.for_blocks(parts, 1, count);
+  find_places(parts);
+  unstopped.for_blocks(parts, 1, put);
+  for (const uint32_t f : faces_) {
+    end_.push_back(count_of(parts - 1)[f]);
+    for (size_t k = 0; k < parts; ++k) count_of(k)[f] = 0;
+  }
+}
+
+/// Lists the faces of all parts, and turns the counts of each into where its pieces begin.
+void FacePieces::find_places(size_t parts) {
+  for (size_t k = 1; k < parts; ++k) {
+    for (const uint32_t f : parts_[k].faces) {
+      size_t before = 0;
+      while (before < k && count_of(before)[f] == 0) ++before;
+      if (before == k) faces_.push_back(f);
     }
   }
   uint32_t first = 0;
   for (const uint32_t f : faces_) {
-    const uint32_t count = count_[f];
-    count_[f] = first;
-    first += count;
+    for (size_t k = 0; k < parts; ++k) first += std::exchange(count_of(k)[f], first);
   }
-  for (const std::vector<Piece>& block : blocks) {
-    for (const Piece& p : block) sorted_[count_[p.face]++] = p;
-  }
-  for (const uint32_t f : faces_) end_.push_back(std::exchange(count_[f], 0));
 }
 
 /// Makes count_ lead from a face to its place. Not done before it is needed: most curves are sorted and never renewed.

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/thread_pool.h"
 #include "curve/curve.h"
 
 namespace meander {
@@ -16,7 +17,7 @@ namespace meander {
 class FacePieces {
  public:
   /// Sorts pieces by face: those of blocks, one block after the other.
-  void sort(const std::vector<std::vector<Piece>>& blocks, size_t faces);
+  void sort(const std::vector<std::vector<Piece>>& blocks, size_t faces, const ThreadPool& pool);
 
   /// How many pieces were sorted, and in how many places.
   size_t size() const { return sorted_.size(); }
@@ -52,6 +53,15 @@ class FacePieces {
     bool listed = false;    // in renewed_places_
   };
 
+  /// Some consecutive blocks, whose pieces one thread sorts.
+  struct Part {
+    size_t begin = 0, end = 0;
+    std::vector<uint32_t> count;  // as count_
+    std::vector<uint32_t> faces;  // that hold any of its pieces
+  };
+
+  std::vector<uint32_t>& count_of(size_t part) { return part == 0 ? count_ : parts_[part].count; }
+  void find_places(size_t parts);
   void index(size_t segments);
   void forget_index();
   uint32_t place_of(uint32_t face);
@@ -60,6 +70,8 @@ class FacePieces {
   std::vector<uint32_t> faces_;  // of the places, in the order in which the curve meets them
   std::vector<uint32_t> end_;    // of the places: where their pieces end in sorted_
   std::vector<uint32_t> count_;  // per face: all 0, or with an index 1 more than its place
+
+  std::vector<Part> parts_;      // the first one counts in count_, and lists in faces_
 
   // Since all were sorted, once there is an index.
   bool indexed_ = false;
