@@ -127,10 +127,16 @@ TEST(CurveBvh, DistanceEqualsBruteForce) {
       double expected = most;
       for (const Vec3& p : points) expected = std::min(expected, (p - from).norm());
       EXPECT_NEAR(nearest_distance(tree, from, most), expected, 10 * kRounding);
+      if (count > 0) {
+        const auto squared = [&](const Vec3& p) { return (p - from).squaredNorm(); };
+        const uint32_t found = nearest_point(tree, from, rng.below(static_cast<uint32_t>(count)));
+        EXPECT_EQ(squared(points[found]), squared(*std::ranges::min_element(points, {}, squared)));
+      }
       ++(expected < most ? near : far);
     }
     if (count > 0) {
       EXPECT_EQ(nearest_distance(tree, points[count / 2], 1), 0);
+      EXPECT_EQ(nearest_point(tree, points[count / 2], 0), count / 2);
     }
   }
   EXPECT_GT(near, 500u);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <span>
 
-#include "base/point_tree.h"
 #include "base/segment_distance.h"
 #include "flow/constants.h"
 #include "flow/free_nodes.h"
+#include "medial/near_points.h"
 
 namespace meander {
 namespace {
@@ -16,10 +16,16 @@ namespace {
 /// The mean distance of the nodes of `curve` that may move, which are at `nodes`, from an earlier one, in the local r.
 double mean_distance(const Curve& curve, const std::vector<Vec3>& nodes, const LocalMetric& metric,
                      const Convergence::Picture& earlier, ThreadPool& pool) {
-  const PointTree tree(earlier.nodes);
+  const CurveBvh tree(earlier.nodes, pool);
+  std::vector<uint32_t> nearest(nodes.size());
+  pool.for_blocks(nodes.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
+    // Of a neighbour it is about as far.
+    uint32_t near = std::min(static_cast<uint32_t>(begin), static_cast<uint32_t>(earlier.nodes.size() - 1));
+    for (size_t i = begin; i < end; ++i) nearest[i] = near = nearest_point(tree, nodes[i], near);
+  });
   return mean_over_movable(curve, pool, [&](uint32_t i) {
     const Vec3& p = nodes[i];
-    const uint32_t near = tree.nearest(p)->index;
+    const uint32_t near = nearest[i];
     double d = (p - earlier.nodes[near]).norm();
     for (const uint32_t other : {earlier.next[near], earlier.previous[near]}) {
       if (other != kNone) d = std::min(d, distance_to_segment(p, earlier.nodes[near], earlier.nodes[other]));

@@ -30,4 +30,7 @@ void find_inside(const CurveBvh& tree, const Eigen::Vector3d& centre, double rad
 /// The distance of a place from the nearest point of a part, at most `most`.
 double nearest_distance(const CurveBvh& tree, const Eigen::Vector3d& from, double most, uint32_t part = 0);
 
+/// The point that is nearest to a place, of a tree of one part; where none is nearer than the `likely` one, that.
+uint32_t nearest_point(const CurveBvh& tree, const Eigen::Vector3d& from, uint32_t likely);
+
 }  // namespace meander
