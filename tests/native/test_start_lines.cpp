@@ -58,6 +58,27 @@ TEST(StartLines, FollowTheBoundary) {
   }
 }
 
+TEST(StartLines, AreTheSameForAnyNumberOfThreads) {
+  // So near to each other that every loop is shared; with a boundary, and without.
+  for (const Mesh& mesh : {bumpy_grid(24), torus(96, 48)}) {
+    const auto surface = std::make_shared<const Surface>(make_surface(mesh));
+    const double spacing = 0.015 * std::sqrt(surface->area()) * surface->scale();
+    const Flow flow(surface, nullptr, {}, checked_settings(options_of(spacing), *surface));
+    const RadiusField radius(flow.settings().radius);
+    std::vector<Curve> curves;
+    for (const unsigned threads : {1u, 3u}) {
+      ThreadPool pool(threads);
+      curves.push_back(full_start(*surface, flow.curve(), 0, radius, {}, nullptr, 0.5, pool).curve);
+    }
+    ASSERT_EQ(curves[1].size(), curves[0].size());
+    EXPECT_GT(curves[0].size(), 4096u);
+    for (uint32_t i = 0; i < curves[0].size(); ++i) {
+      const SurfacePoint &a = curves[0].nodes[i], &b = curves[1].nodes[i];
+      ASSERT_TRUE(a.face == b.face && a.b.x == b.b.x && a.b.y == b.b.y) << i;
+    }
+  }
+}
+
 /// Where a line from the middle outwards crosses the curve, as shares of the rim's radius.
 std::vector<double> on_spoke(const FullCone& cone, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);

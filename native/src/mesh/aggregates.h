@@ -7,14 +7,19 @@
 // value of its pair, turned once.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <numeric>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/cancel_token.h"
+#include "base/large_pages.h"
 #include "base/plane.h"
+#include "base/spare_memory.h"
+#include "base/thread_pool.h"
 #include "mesh/surface.h"
 
 namespace meander {
@@ -43,8 +48,8 @@ inline Mirroring unit(const Mirroring& a) {
 /// What is off the diagonal, with the opposite sign: symmetric, or Hermitian where it is complex.
 template <class Weight>
 struct Couplings {
-  std::vector<uint32_t> start{0}, neighbour;  ///< those of row i are start[i] .. start[i + 1] - 1
-  std::vector<Weight> weight;
+  Table<uint32_t> start{0}, neighbour;  ///< those of row i are start[i] .. start[i + 1] - 1
+  Table<Weight> weight;
 
   uint32_t size() const { return static_cast<uint32_t>(start.size() - 1); }
   void add(uint32_t to, Weight w) {
@@ -52,6 +57,34 @@ struct Couplings {
     weight.push_back(w);
   }
   void end_row() { start.push_back(static_cast<uint32_t>(neighbour.size())); }
+
+  /// `count` rows, made in blocks: fill(begin, end, rows) appends those from begin on to others.
+  template <class Fill>
+  static Couplings in_blocks(size_t count, ThreadPool& pool, const Fill& fill) {
+    std::vector<Couplings> blocks(ThreadPool::block_count(count, kMeshGrain));
+    pool.for_blocks(count, kMeshGrain, [&](size_t block, size_t begin, size_t end) {
+      fill(static_cast<uint32_t>(begin), static_cast<uint32_t>(end), blocks[block]);
+    });
+    if (blocks.size() == 1) return std::move(blocks[0]);
+    Couplings all;
+    std::vector<uint32_t> first;  // of the entries of each block
+    uint32_t entries = 0;
+    for (const Couplings& block : blocks) {
+      first.push_back(entries);
+      entries += block.start.back();
+    }
+    all.start.resize(count + 1);
+    all.neighbour.resize(entries);
+    all.weight.resize(entries);
+    pool.for_blocks(count, kMeshGrain, [&](size_t k, size_t begin, size_t) {
+      Couplings& block = blocks[k];
+      for (size_t i = 1; i < block.start.size(); ++i) all.start[begin + i] = first[k] + block.start[i];
+      std::copy(block.neighbour.begin(), block.neighbour.end(), all.neighbour.begin() + first[k]);
+      std::copy(block.weight.begin(), block.weight.end(), all.weight.begin() + first[k]);
+      block = {};
+    });
+    return all;
+  }
 };
 
 /// Rows in pairs, or alone where no neighbour was left. Where that leaves most of them, as around a hub that is the
@@ -69,8 +102,8 @@ struct Pairs {
     }
   }();
   uint32_t count = 0;
-  std::vector<uint32_t> of;    ///< per row: its pair
-  std::vector<Weight> carry;   ///< per row: a unit number, times which the pair's value is the row's; empty: all are 1
+  Table<uint32_t> of;   ///< per row: its pair
+  Table<Weight> carry;  ///< per row: a unit number, times which the pair's value is the row's; empty: all are 1
 
   /// Joins every row to the neighbour that it is tied to most, if that one is free.
   Pairs(const Couplings<Weight>& rows, CancelToken& poll) : of(rows.size(), kNone) {
@@ -94,34 +127,23 @@ struct Pairs {
   }
 
   /// The system of the pairs (Galerkin's).
-  Couplings<Weight> joined(const Couplings<Weight>& rows, CancelToken& poll) const {
+  Couplings<Weight> joined(const Couplings<Weight>& rows, ThreadPool& pool) const {
     std::vector<uint32_t> begin(count + 1, 0), members(rows.size());
     for (const uint32_t pair : of) ++begin[pair + 1];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     std::vector<uint32_t> next(begin.begin(), begin.end() - 1);
     for (uint32_t i = 0; i < rows.size(); ++i) members[next[of[i]]++] = i;
-    Couplings<Weight> coarse;
-    std::vector<uint32_t> place(count, kNone);  // of an edge to each pair, in the row that is being made
-    for (uint32_t pair = 0; pair < count; ++pair) {
-      poll();
-      for (uint32_t k = begin[pair]; k < begin[pair + 1]; ++k) {
-        const uint32_t i = members[k];
-        for (uint32_t e = rows.start[i]; e < rows.start[i + 1]; ++e) {
-          const uint32_t other = of[rows.neighbour[e]];
-          if (other == pair) continue;
-          Weight weight = rows.weight[e];
-          if constexpr (kTurns) weight = conj(carry[i]) * weight * carry[rows.neighbour[e]];
-          if (place[other] == kNone || place[other] < coarse.start.back()) {
-            place[other] = static_cast<uint32_t>(coarse.neighbour.size());
-            coarse.add(other, weight);
-          } else {
-            coarse.weight[place[other]] = coarse.weight[place[other]] + weight;
-          }
-        }
+    SpareMemory<std::vector<uint32_t>> spare;
+    return Couplings<Weight>::in_blocks(count, pool, [&](uint32_t first, uint32_t last, Couplings<Weight>& coarse) {
+      std::vector<uint32_t> place = spare.take();  // of an edge to each pair, in the row that is being made
+      place.resize(count, kNone);
+      for (uint32_t pair = first; pair < last; ++pair) {
+        for (uint32_t k = begin[pair]; k < begin[pair + 1]; ++k) add_row(rows, members[k], pair, place, coarse);
+        for (uint32_t e = coarse.start.back(); e < coarse.neighbour.size(); ++e) place[coarse.neighbour[e]] = kNone;
+        coarse.end_row();
       }
-      coarse.end_row();
-    }
-    return coarse;
+      spare.give_back(std::move(place));
+    });
   }
 
  private:
@@ -129,6 +151,22 @@ struct Pairs {
   static constexpr double kMostLeft = 0.75;
   /// So few rows cost nothing, however many levels they take, and pairs keep coarse values apart longer.
   static constexpr uint32_t kSmall = 1024;
+
+  void add_row(const Couplings<Weight>& rows, uint32_t i, uint32_t pair, std::vector<uint32_t>& place,
+               Couplings<Weight>& coarse) const {
+    for (uint32_t e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+      const uint32_t other = of[rows.neighbour[e]];
+      if (other == pair) continue;
+      Weight weight = rows.weight[e];
+      if constexpr (kTurns) weight = conj(carry[i]) * weight * carry[rows.neighbour[e]];
+      if (place[other] == kNone) {
+        place[other] = static_cast<uint32_t>(coarse.neighbour.size());
+        coarse.add(other, weight);
+      } else {
+        coarse.weight[place[other]] = coarse.weight[place[other]] + weight;
+      }
+    }
+  }
 
   void join_alone(const Couplings<Weight>& rows, CancelToken& poll) {
     std::vector<uint32_t> size(count, 0);

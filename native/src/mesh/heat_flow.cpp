@@ -50,8 +50,8 @@ struct System {
     return sum;
   }
   /// That of pairs that move as one.
-  System joined(const Pairs<double>& pairs, CancelToken& poll) const {
-    System coarse{pairs.joined(edges, poll), std::vector<double>(pairs.count, 0), {}};
+  System joined(const Pairs<double>& pairs, ThreadPool& pool) const {
+    System coarse{pairs.joined(edges, pool), std::vector<double>(pairs.count, 0), {}};
     for (uint32_t i = 0; i < size(); ++i) coarse.excess[pairs.of[i]] += excess[i];
     coarse.add_up_diagonal();
     return coarse;
@@ -75,10 +75,10 @@ class Multigrid {
     while (is_stiff(levels_.back().system)) {
       const System& fine = levels_.back().system;
       Pairs<double> pairs(fine.edges, poll);
-      const System middle = fine.joined(pairs, poll);
+      const System middle = fine.joined(pairs, pool);
       const Pairs<double> fours(middle.edges, poll);
       if (10 * uint64_t{fours.count} > 9 * uint64_t{fine.size()}) break;  // hardly any edges are left
-      System coarse = middle.joined(fours, poll);
+      System coarse = middle.joined(fours, pool);
       for (uint32_t& g : pairs.of) g = fours.of[g];
       levels_.back().group = std::move(pairs.of);
       levels_.push_back({std::move(coarse), {}, {}, {}, {}});
@@ -109,7 +109,7 @@ class Multigrid {
  private:
   struct Level {
     System system;
-    std::vector<uint32_t> group;  // of each row, in the next level
+    Table<uint32_t> group;  // of each row, in the next level
     Points x, b, next;
   };
 

@@ -24,6 +24,9 @@ constexpr double kAxis = 0.05;
 /// A line at a corner is the mean of those of at most this many faces around it, to either side.
 constexpr uint32_t kFan = 8;
 
+/// Faces between two asks.
+constexpr uint32_t kFacesPerPoll = 1024;
+
 /// The Laplacian of one level, whose weights carry the squares of lines from face to face, and the pairs of the next,
 /// coarser one.
 struct Level {
@@ -35,36 +38,33 @@ struct Level {
 Vec2 squared(Vec2 v) { return v * v; }
 
 /// Per half-edge the number that carries the square of a line from its face to the one across; 0 at the boundary.
-std::vector<Vec2> carried_across(const Surface& s, CancelToken& poll) {
+std::vector<Vec2> carried_across(const Surface& s, ThreadPool& pool) {
   std::vector<Vec2> carried(3 * s.face_count());
-  for (HalfEdge e = 0; e < carried.size(); ++e) {
-    poll();
-    const HalfEdge twin = s.twin(e);
-    if (twin == kNone || twin < e) continue;
-    carried[e] = squared(s.transition(e));
-    carried[twin] = conj(carried[e]);
-  }
+  pool.for_blocks(carried.size(), kMeshGrain, [&](size_t, size_t begin, size_t end) {
+    for (auto e = static_cast<HalfEdge>(begin); e < end; ++e) {
+      const HalfEdge twin = s.twin(e);
+      if (twin == kNone || twin < e) continue;
+      carried[e] = squared(s.transition(e));
+      carried[twin] = conj(carried[e]);
+    }
+  });
   return carried;
 }
 
-Couplings<Vec2> of_faces(const Surface& s, const std::vector<Vec2>& carried, CancelToken& poll) {
-  Couplings<Vec2> edges;
-  edges.start.reserve(s.face_count() + 1);
-  edges.neighbour.reserve(3 * s.face_count());
-  edges.weight.reserve(3 * s.face_count());
-  for (uint32_t f = 0; f < s.face_count(); ++f) {
-    poll();
-    for (HalfEdge e = 3 * f; e < 3 * f + 3; ++e) {
-      const HalfEdge twin = s.twin(e);
-      if (twin == kNone) continue;
-      // The edge over the distance of the middles of the faces, but for a factor.
-      const Vec2 edge = s.along(e);
-      const double weight = dot(edge, edge) / (s.face_area(f) + s.face_area(face_of(twin)));
-      edges.add(face_of(twin), weight * carried[twin]);
+Couplings<Vec2> of_faces(const Surface& s, const std::vector<Vec2>& carried, ThreadPool& pool) {
+  return Couplings<Vec2>::in_blocks(s.face_count(), pool, [&](uint32_t begin, uint32_t end, Couplings<Vec2>& edges) {
+    for (uint32_t f = begin; f < end; ++f) {
+      for (HalfEdge e = 3 * f; e < 3 * f + 3; ++e) {
+        const HalfEdge twin = s.twin(e);
+        if (twin == kNone) continue;
+        // The edge over the distance of the middles of the faces, but for a factor.
+        const Vec2 edge = s.along(e);
+        const double weight = dot(edge, edge) / (s.face_area(f) + s.face_area(face_of(twin)));
+        edges.add(face_of(twin), weight * carried[twin]);
+      }
+      edges.end_row();
     }
-    edges.end_row();
-  }
-  return edges;
+  });
 }
 
 /// `held`  per row, what holds its line, times the weight of that
@@ -127,36 +127,42 @@ std::vector<Vec2> first_lines(const Surface& s, CancelToken& poll) {
   return along;
 }
 
-/// Of the lines of faces, the mean around each corner, in the plane of its face.
+/// Of the lines of faces, the mean around a corner, in the plane of its face.
+Vec2 at_corner(const Surface& s, const std::vector<Vec2>& carried, const std::vector<Vec2>& lines,
+               const VertexData<uint32_t>& faces, HalfEdge corner) {
+  const uint32_t f = face_of(corner), v = s.face(f)[corner_of(corner)];
+  const bool inside = !s.on_boundary(v);
+  const uint32_t steps = std::min(inside ? faces[v] / 2 : faces[v], kFan);
+  Vec2 sum = lines[f];
+  for (const bool left : {true, false}) {
+    Vec2 carry{1, 0};  // squares from the face that is reached to this one
+    HalfEdge here = corner;
+    for (uint32_t k = 1; k <= steps; ++k) {
+      const HalfEdge exit = left ? 3 * face_of(here) + prev_corner(corner_of(here)) : here;
+      const HalfEdge entry = s.twin(exit);
+      if (entry == kNone) break;
+      carry = carry * carried[entry];
+      here = left ? entry : 3 * face_of(entry) + next_corner(corner_of(entry));
+      // The face opposite to this one is reached from both sides.
+      const double share = inside && 2 * k == faces[v] ? 0.5 : 1;
+      sum = sum + share * (carry * lines[face_of(here)]);
+    }
+  }
+  return unit(sum);
+}
+
 std::vector<Vec2> at_corners(const Surface& s, const std::vector<Vec2>& carried, const std::vector<Vec2>& lines,
-                             CancelToken& poll) {
+                             ThreadPool& pool) {
   std::vector<Vec2> corners(3 * s.face_count());
   VertexData<uint32_t> faces(s.vertex_count(), 0);
   for (uint32_t f = 0; f < s.face_count(); ++f) {
     for (const uint32_t v : s.face(f)) ++faces[v];
   }
-  for (HalfEdge corner = 0; corner < corners.size(); ++corner) {
-    poll();
-    const uint32_t f = face_of(corner), v = s.face(f)[corner_of(corner)];
-    const bool inside = !s.on_boundary(v);
-    const uint32_t steps = std::min(inside ? faces[v] / 2 : faces[v], kFan);
-    Vec2 sum = lines[f];
-    for (const bool left : {true, false}) {
-      Vec2 carry{1, 0};  // squares from the face that is reached to this one
-      HalfEdge here = corner;
-      for (uint32_t k = 1; k <= steps; ++k) {
-        const HalfEdge exit = left ? 3 * face_of(here) + prev_corner(corner_of(here)) : here;
-        const HalfEdge entry = s.twin(exit);
-        if (entry == kNone) break;
-        carry = carry * carried[entry];
-        here = left ? entry : 3 * face_of(entry) + next_corner(corner_of(entry));
-        // The face opposite to this one is reached from both sides.
-        const double share = inside && 2 * k == faces[v] ? 0.5 : 1;
-        sum = sum + share * (carry * lines[face_of(here)]);
-      }
+  pool.for_blocks(corners.size(), kMeshGrain, [&](size_t, size_t begin, size_t end) {
+    for (auto corner = static_cast<HalfEdge>(begin); corner < end; ++corner) {
+      corners[corner] = at_corner(s, carried, lines, faces, corner);
     }
-    corners[corner] = unit(sum);
-  }
+  });
   return corners;
 }
 
@@ -173,13 +179,14 @@ std::vector<Vec2> along_edges(const Surface& s) {
 
 }  // namespace
 
-LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, CancelToken poll) {
+LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, ThreadPool& pool) {
   std::vector<Level> levels;
-  const std::vector<Vec2> carried = carried_across(surface, poll);
+  CancelToken poll = pool.poll(kFacesPerPoll);
+  const std::vector<Vec2> carried = carried_across(surface, pool);
   std::vector<Vec2> lines = first_lines(surface, poll);
   for (Vec2& line : lines) line = turn * line;
   std::vector<Vec2> held = along_boundary ? along_edges(surface) : std::vector<Vec2>(lines.size());
-  Couplings<Vec2> edges = of_faces(surface, carried, poll);
+  Couplings<Vec2> edges = of_faces(surface, carried, pool);
   while (true) {
     Pairs<Vec2> pairs(edges, poll);
     if (pairs.count == edges.size()) break;
@@ -190,7 +197,7 @@ LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, 
       hold = hold + conj(pairs.carry[i]) * held[i];
     }
     lines = std::move(sums);
-    Couplings<Vec2> coarse = pairs.joined(edges, poll);
+    Couplings<Vec2> coarse = pairs.joined(edges, pool);
     levels.push_back(
         {std::exchange(edges, std::move(coarse)), std::move(pairs), std::exchange(held, std::move(holds))});
   }
@@ -204,11 +211,12 @@ LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, 
     // Means of lines that disagree are short, and those of such means would vanish.
     for (Vec2& line : lines) line = unit(line);
   }
-  return LineField(at_corners(surface, carried, lines, poll));
+  return LineField(at_corners(surface, carried, lines, pool));
 }
 
-LineField field_along_boundary(const Surface& surface, CancelToken poll) {
-  const std::vector<Vec2> carried = carried_across(surface, poll);
+LineField field_along_boundary(const Surface& surface, ThreadPool& pool) {
+  CancelToken poll = pool.poll(kFacesPerPoll);
+  const std::vector<Vec2> carried = carried_across(surface, pool);
   std::vector<Vec2> lines(surface.face_count());
   std::vector<uint8_t> held(surface.face_count(), 0);
   for (const HalfEdge e : surface.boundary()) {
@@ -218,7 +226,7 @@ LineField field_along_boundary(const Surface& surface, CancelToken poll) {
   }
   for (Vec2& line : lines) line = unit(line);
   const std::vector<Vec2> none(lines.size());
-  relax(of_faces(surface, carried, poll), none, kSweeps, lines, [&](size_t f) { return held[f] != 0; }, poll);
+  relax(of_faces(surface, carried, pool), none, kSweeps, lines, [&](size_t f) { return held[f] != 0; }, poll);
   std::vector<Vec2> squares;
   squares.reserve(3 * lines.size());
   for (const Vec2& line : lines) squares.insert(squares.end(), 3, line);

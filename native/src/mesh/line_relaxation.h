@@ -3,7 +3,7 @@
 // A smooth field of lines in a time that grows with the number of faces.
 #pragma once
 
-#include "base/cancel_token.h"
+#include "base/thread_pool.h"
 #include "mesh/line_field.h"
 
 namespace meander {
@@ -21,12 +21,11 @@ namespace meander {
 /// `turn`            a number of length 1, with half of whose angle the lines are turned at first: without a boundary
 ///                   that holds them they stay turned, and are as smooth
 /// `along_boundary`  the boundary holds lines along itself, as much as another face would beyond it
-/// `poll`            is called for every face, on every level
-LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, CancelToken poll);
+LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, ThreadPool& pool);
 
 /// Along the boundary in the faces beside it, and the mean of those in the faces between, as far as kSweeps faces away:
 /// for strips of a few faces across. No direction elsewhere. Every face has one line: between two legs of a zigzag that
 /// are a face or two long, means around corners would lie across both.
-LineField field_along_boundary(const Surface& surface, CancelToken poll);
+LineField field_along_boundary(const Surface& surface, ThreadPool& pool);
 
 }  // namespace meander

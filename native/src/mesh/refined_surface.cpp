@@ -57,16 +57,17 @@ RefinedSurface::RefinedSurface(const Surface& surface, bool origins, CancelToken
   origins_.resize(surface.face_count());
   std::iota(origins_.begin(), origins_.end(), 0u);
   fixed_.resize(edges);
-  at_.resize(2 * edges);
+  at_.resize(2 * edges, Vec2{});
   constexpr Vec2 kCorners[] = {{0, 0}, {1, 0}, {0, 1}};
   for (HalfEdge e = 0; e < here.size(); ++e) at_[here[e]] = kCorners[corner_of(e)];
 }
 
 void RefinedSurface::reserve_divisions(size_t count) {
+  positions_.reserve(positions_.size() + count);
   origins_.reserve(mesh_.n_faces() + 2 * count);
   fixed_.reserve(mesh_.n_edges() + kNewEdges * count);
   at_.reserve(2 * (mesh_.n_edges() + kNewEdges * count));
-  mesh_.reserve(mesh_.n_vertices(), mesh_.n_edges() + kNewEdges * count, mesh_.n_faces() + 2 * count);
+  mesh_.reserve(mesh_.n_vertices() + count, mesh_.n_edges() + kNewEdges * count, mesh_.n_faces() + 2 * count);
 }
 
 uint32_t RefinedSurface::add_vertex(const Vec3& position) {
@@ -81,7 +82,7 @@ void RefinedSurface::check_numbers() const {
 
 /// Follows the numbers of OpenMesh.
 void RefinedSurface::grow() {
-  at_.resize(mesh_.n_halfedges());
+  at_.resize(mesh_.n_halfedges(), Vec2{});
   fixed_.resize(mesh_.n_edges());
   origins_.resize(mesh_.n_faces());
 }

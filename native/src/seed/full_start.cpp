@@ -96,20 +96,20 @@ std::vector<uint8_t> straight_sheets(const Surface& surface, const LineField& sm
 /// by any angle, which is that of the variation. In strips lines lie along these: the smoothest field of a flat ring is
 /// parallel, and its lines are short there. Lines of a density stay parallel: their distances say enough.
 StartField smooth_field(const Surface& surface, const RadiusField& radius, uint32_t variation,
-                        const CancelToken& ask) {
+                        ThreadPool& pool) {
   const double angle = 2 * std::numbers::pi * share_of_variation(variation);
   const Vec2 turn = variation == 0 ? Vec2{1, 0} : Vec2{elementary::cos(angle), elementary::sin(angle)};
-  StartField smooth{relaxed_field(surface, turn, false, ask), widths_of_strips(surface, radius)};
+  StartField smooth{relaxed_field(surface, turn, false, pool), widths_of_strips(surface, radius)};
   const std::vector<double>& narrow = smooth.widths;
   if (!surface.boundary().empty() && !radius.varies()) {
     const std::vector<uint8_t> straight = straight_sheets(surface, smooth.lines, radius.most());
     if (std::ranges::count(straight, 0) > 0) {
-      smooth.lines.replace(relaxed_field(surface, turn, true, ask),
+      smooth.lines.replace(relaxed_field(surface, turn, true, pool),
                            [&](uint32_t f) { return !straight[surface.component(f)]; });
     }
   }
   if (std::ranges::any_of(narrow, [](double width) { return width > 0; })) {
-    smooth.lines.replace(field_along_boundary(surface, ask),
+    smooth.lines.replace(field_along_boundary(surface, pool),
                          [&](uint32_t f) { return narrow[surface.component(f)] > 0; });
   }
   return smooth;
@@ -117,10 +117,10 @@ StartField smooth_field(const Surface& surface, const RadiusField& radius, uint3
 
 /// The field and, on components without any, the smoothest one.
 StartField completed(const Surface& surface, const LineField& field, const RadiusField& radius, uint32_t variation,
-                     const CancelToken& ask) {
+                     ThreadPool& pool) {
   const std::vector<uint8_t> without = without_field(surface, field);
   if (std::ranges::count(without, 1) == 0) return {field, std::vector<double>(without.size(), 0)};
-  StartField smooth = smooth_field(surface, radius, variation, ask);
+  StartField smooth = smooth_field(surface, radius, variation, pool);
   if (field.empty()) return smooth;
   LineField both = field;
   both.replace(smooth.lines, [&](uint32_t f) { return without[surface.component(f)] != 0; });
@@ -289,7 +289,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   }
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
   const CancelToken poll = pool.poll(kPieces);
-  const StartField whole = completed(surface, field, radius, variation, poll);
+  const StartField whole = completed(surface, field, radius, variation, pool);
   std::vector<std::vector<SurfacePoint>> first_lines;
   if (lines_of != StartLines::kStreamlines) {
     const bool smooth = field.empty() && !radius.varies();
@@ -297,7 +297,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
     if (!radius.varies()) spacing.full = smooth ? kFullOfPhase : kFullOfPhaseAlong;
     const std::vector<StripeDistances> distances =
         stripe_distances(surface, whole, radius, spacing, boundary_distance, rest);
-    const StripePhase phase(surface, whole.lines, radius, distances, poll);
+    const StripePhase phase(surface, whole.lines, radius, distances, pool);
     first_lines = level_lines(surface, phase, radius, spacing.step, variation, poll);
   }
   const size_t before = lines.size();

@@ -20,6 +20,9 @@ constexpr double kWholeTurn = 2 * std::numbers::pi;
 /// are as even.
 constexpr double kLongestEdge = 1.4;
 
+/// The area of a part is about so much of the square of that; and there is room for so many divisions at first.
+constexpr double kPartsArea = 0.25, kMostReserved = 1e8;
+
 /// Rounds of sweeps on every level, each with numbers of length 1 in the end; less often on the finest ones, on which
 /// most of the time goes. Twice as many: lines as even. A round is as many sweeps forwards, and backwards.
 constexpr int kRounds = 3, kFineRounds = 1, kSweepsOfRound = 2;
@@ -32,6 +35,9 @@ constexpr double kLeastAgreement = 0.5, kLeastStrength = 1e-6;
 /// The boundary holds the phase where the field is within 30 degrees (a cosine) of it, with a weight of this share of
 /// an edge's.
 constexpr double kAlongBoundary = 0.866, kHold = 1;
+
+/// Faces, rows or edges between two asks.
+constexpr uint32_t kPerPoll = 1024;
 
 /// Cotangents below this count as this.
 constexpr double kLeastWeight = 0.05;
@@ -51,11 +57,14 @@ std::pair<HalfEdge, double> longest_edge(const RefinedSurface& mesh, const Radiu
 /// Halves the longest edge of every face until none is too long: those that are it most first, since halving an edge
 /// of a small face beside a large one would leave slivers of that.
 void divide(const Surface& s, const RadiusField& radius, RefinedSurface& mesh, CancelToken& poll) {
-  double most = 0;
+  double most = 0, faces = 0;
   for (uint32_t f = 0; f < mesh.face_count(); ++f) {
     poll();
     most = std::max(most, longest_edge(mesh, radius, s, f).second);
+    const double longest = kLongestEdge * radius.at(s, make_point(f, 1, 1, 1));
+    faces += std::max(0.0, s.face_area(f) / (kPartsArea * longest * longest) - 1);
   }
+  mesh.reserve_divisions(static_cast<size_t>(std::min(0.5 * faces, kMostReserved)));
   while (most > 1) {
     most = std::max(most / std::numbers::sqrt2, 1.0);
     for (uint32_t f = 0; f < mesh.face_count(); ++f) {
@@ -78,7 +87,7 @@ struct PhaseLevel {
 double size_of(const Mirroring& m) { return std::sqrt(dot(m.turned, m.turned) + dot(m.mirrored, m.mirrored)); }
 
 void relax_phase(const Couplings<Mirroring>& edges, const std::vector<Vec2>& held, int rounds,
-                 std::vector<Vec2>& values, CancelToken& poll) {
+                 Table<Vec2>& values, CancelToken& poll) {
   const size_t count = edges.size();
   std::vector<double> share(count, 0);
   for (size_t i = 0; i < count; ++i) {
@@ -109,9 +118,9 @@ void relax_phase(const Couplings<Mirroring>& edges, const std::vector<Vec2>& hel
 class StripePhase::Relaxation {
  public:
   Relaxation(const Surface& surface, const LineField& field, const RadiusField& radius,
-             std::span<const StripeDistances> distances, StripePhase& phase, CancelToken poll)
+             std::span<const StripeDistances> distances, StripePhase& phase, ThreadPool& pool)
       : s_(surface), field_(field), radius_(radius), distances_(distances), phase_(phase), mesh_(phase.mesh_),
-        poll_(poll) {}
+        pool_(pool), poll_(pool.poll(kPerPoll)) {}
 
   void run() {
     divide(s_, radius_, mesh_, poll_);
@@ -128,16 +137,14 @@ class StripePhase::Relaxation {
         Vec2& sum = sums[pairs.of[i]];
         sum = sum + conj(pairs.carry[i]).of(held[i]);
       }
-      Couplings<Mirroring> coarse = pairs.joined(edges, poll_);
+      Couplings<Mirroring> coarse = pairs.joined(edges, pool_);
       levels.push_back(
           {std::exchange(edges, std::move(coarse)), std::move(pairs), std::exchange(held, std::move(sums))});
     }
     values_.assign(edges.size(), {1, 0});
     for (size_t k = levels.size(); k-- > 0;) {
       const PhaseLevel& level = levels[k];
-      std::vector<Vec2> finer(level.edges.size());
-      for (size_t i = 0; i < finer.size(); ++i) finer[i] = level.pairs.carry[i].of(values_[level.pairs.of[i]]);
-      values_ = std::move(finer);
+      carry_to(level.pairs);
       relax_phase(level.edges, level.held, k < kFinest ? kFineRounds : kRounds, values_, poll_);
     }
     leave_vertices();
@@ -145,12 +152,26 @@ class StripePhase::Relaxation {
   }
 
  private:
+  /// From pairs to their rows.
+  void carry_to(const Pairs<Mirroring>& pairs) {
+    Table<Vec2> finer(pairs.of.size());
+    for_all(finer.size(), [&](uint32_t i) { finer[i] = pairs.carry[i].of(values_[pairs.of[i]]); });
+    values_ = std::move(finer);
+  }
+
   /// What is known of a half-edge.
   struct Step {
     double rise;    // by how much the phase is to rise along it, to the left of the line of its face
     double weight;  // half of a cotangent
     Vec2 turn;      // the unit number whose angle the rise is
   };
+
+  template <class Body>
+  void for_all(size_t count, const Body& body) {
+    pool_.for_blocks(count, kMeshGrain, [&](size_t, size_t begin, size_t end) {
+      for (auto i = static_cast<uint32_t>(begin); i < end; ++i) body(i);
+    });
+  }
 
   const StripeDistances& distances(uint32_t face) const { return distances_[s_.component(mesh_.origin(face))]; }
   SurfacePoint point(HalfEdge corner) const { return {mesh_.origin(mesh_.face(corner)), mesh_.at(corner)}; }
@@ -163,8 +184,7 @@ class StripePhase::Relaxation {
   /// Vertices choose a sign of the field, in one of their faces, and take it round to the others.
   void find_signs() {
     sign_.assign(mesh_.half_edge_count(), 1);
-    for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
-      poll_();
+    for_all(mesh_.vertex_count(), [&](uint32_t v) {
       HalfEdge last = kNone;
       mesh_.each_leaving(v, [&](HalfEdge h) {
         if (last != kNone) {
@@ -174,7 +194,7 @@ class StripePhase::Relaxation {
         }
         last = h;
       });
-    }
+    });
   }
 
   Vec2 line_of_face(uint32_t f) const {
@@ -185,9 +205,8 @@ class StripePhase::Relaxation {
   void look_at_faces() {
     phase_.directed_.assign(mesh_.face_count(), 0);
     side_.assign(mesh_.half_edge_count(), 1);
-    steps_.assign(mesh_.half_edge_count(), {0, 0, {1, 0}});
-    for (uint32_t f = 0; f < mesh_.face_count(); ++f) {
-      poll_();
+    steps_.resize(mesh_.half_edge_count());
+    for_all(mesh_.face_count(), [&](uint32_t f) {
       const Vec2 middle = line_of_face(f);
       bool directed = norm(middle) > kLeastStrength;
       for (const HalfEdge corner : mesh_.corners(f)) {
@@ -196,13 +215,13 @@ class StripePhase::Relaxation {
         directed = directed && std::abs(cosine) >= kLeastAgreement;
       }
       phase_.directed_[f] = directed;
-      if (!directed) continue;
+      if (!directed) return;
       const std::array<HalfEdge, 3> corners = mesh_.corners(f);
       const std::array<Vec2, 3> places{place(corners[0]), place(corners[1]), place(corners[2])};
       for (size_t k = 0; k < 3; ++k) {
         steps_[corners[k]] = step(corners[k], middle, places[k], places[(k + 1) % 3], places[(k + 2) % 3]);
       }
-    }
+    });
   }
 
   /// Along a half-edge of a face, from one place to another, past what lies opposite.
@@ -225,9 +244,7 @@ class StripePhase::Relaxation {
   }
 
   Couplings<Mirroring> couplings() {
-    Couplings<Mirroring> edges;
-    for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
-      poll_();
+    const auto rows = [&](uint32_t begin, uint32_t end, Couplings<Mirroring>& edges) {
       const auto add = [&](uint32_t to, double weight, const Mirroring& m) {
         const Mirroring part{weight * m.turned, weight * m.mirrored};
         for (size_t k = edges.start.back(); k < edges.neighbour.size(); ++k) {
@@ -238,15 +255,17 @@ class StripePhase::Relaxation {
         }
         edges.add(to, part);
       };
-      mesh_.each_leaving(v, [&](HalfEdge h) {
-        if (!phase_.directed_[mesh_.face(h)]) return;
-        const HalfEdge before = mesh_.prev(h);
-        add(mesh_.to(h), steps_[h].weight, from_end(h));
-        add(mesh_.from(before), steps_[before].weight, from_start(before));
-      });
-      edges.end_row();
-    }
-    return edges;
+      for (uint32_t v = begin; v < end; ++v) {
+        mesh_.each_leaving(v, [&](HalfEdge h) {
+          if (!phase_.directed_[mesh_.face(h)]) return;
+          const HalfEdge before = mesh_.prev(h);
+          add(mesh_.to(h), steps_[h].weight, from_end(h));
+          add(mesh_.from(before), steps_[before].weight, from_start(before));
+        });
+        edges.end_row();
+      }
+    };
+    return Couplings<Mirroring>::in_blocks(mesh_.vertex_count(), pool_, rows);
   }
 
   /// Along the boundary, what holds vertices.
@@ -280,12 +299,12 @@ class StripePhase::Relaxation {
 
   void find_crossings() {
     phase_.crossing_.assign(mesh_.half_edge_count() / 2, -1);
-    for (HalfEdge low = 0; low < mesh_.half_edge_count(); low += 2) {
-      poll_();
+    for_all(mesh_.half_edge_count() / 2, [&](uint32_t edge) {
+      const HalfEdge low = 2 * edge;
       HalfEdge h = low;
       const auto bad = [&] { return mesh_.face(h) == kNone || !phase_.directed_[mesh_.face(h)]; };
       if (bad()) h = RefinedSurface::opposite(low);
-      if (bad()) continue;
+      if (bad()) return;
       const auto value = [&](HalfEdge corner) {
         const Vec2 z = values_[mesh_.from(corner)];
         return side_[corner] < 0 ? conj(z) : z;
@@ -295,10 +314,10 @@ class StripePhase::Relaxation {
       const double start = elementary::atan2(a.y, a.x);
       const double by = steps_[h].rise + elementary::atan2(beyond.y, beyond.x), end = start + by;
       const double turn = std::round((start + 0.5 * by) / kWholeTurn) * kWholeTurn;
-      if (!((start < turn) != (end < turn))) continue;
+      if (!((start < turn) != (end < turn))) return;
       const double share = std::clamp((turn - start) / by, 0.01, 0.99);
-      phase_.crossing_[low / 2] = h == low ? share : 1 - share;
-    }
+      phase_.crossing_[edge] = h == low ? share : 1 - share;
+    });
   }
 
   const Surface& s_;
@@ -307,17 +326,18 @@ class StripePhase::Relaxation {
   std::span<const StripeDistances> distances_;
   StripePhase& phase_;
   RefinedSurface& mesh_;
+  ThreadPool& pool_;
   CancelToken poll_;
   std::vector<int8_t> sign_;  // per half-edge: of the line at its corner, as the vertex sees it
   std::vector<int8_t> side_;  // per half-edge: of that line, as its face sees it
-  std::vector<Step> steps_;   // per half-edge, of faces with a direction
-  std::vector<Vec2> values_;  // per row
+  Table<Step> steps_;         // per half-edge, of faces with a direction
+  Table<Vec2> values_;        // per row
 };
 
 StripePhase::StripePhase(const Surface& surface, const LineField& field, const RadiusField& radius,
-                         std::span<const StripeDistances> distances, CancelToken poll)
-    : mesh_(surface, true, poll) {
-  Relaxation(surface, field, radius, distances, *this, poll).run();
+                         std::span<const StripeDistances> distances, ThreadPool& pool)
+    : mesh_(surface, true, pool.poll(kPerPoll)) {
+  Relaxation(surface, field, radius, distances, *this, pool).run();
 }
 
 }  // namespace meander

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "base/cancel_token.h"
+#include "base/thread_pool.h"
 #include "mesh/line_field.h"
 #include "mesh/radius_field.h"
 #include "mesh/refined_surface.h"
@@ -35,7 +35,7 @@ class StripePhase {
  public:
   /// `distances`  on every component
   StripePhase(const Surface& surface, const LineField& field, const RadiusField& radius,
-              std::span<const StripeDistances> distances, CancelToken poll);
+              std::span<const StripeDistances> distances, ThreadPool& pool);
 
   const RefinedSurface& mesh() const { return mesh_; }
   /// Whether the field has a direction in a face.
