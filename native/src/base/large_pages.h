@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -37,10 +38,11 @@ struct LargePages {
     if (!is_large(n)) return std::allocator<T>().deallocate(memory, n);
     PageStore::give_back(memory, n * sizeof(T));
   }
-  /// resize() leaves new numbers uninitialized, so that the threads that fill a table are the first to touch it.
+  /// resize() leaves new numbers, and what consists of them, uninitialized, so that the threads that fill a table are
+  /// the first to touch it.
   template <class U>
-  void construct(U* p) {
-    ::new (static_cast<void*>(p)) U;
+  void construct([[maybe_unused]] U* p) {
+    if constexpr (!std::is_trivially_destructible_v<U>) ::new (static_cast<void*>(p)) U;
   }
   template <class U, class... Arguments>
   void construct(U* p, Arguments&&... arguments) {
@@ -51,7 +53,7 @@ struct LargePages {
   static constexpr size_t kLarge = size_t{1} << 21;
 };
 
-/// A list. Numbers that resize() adds are anything.
+/// A list. Numbers that resize() adds, and what consists of them, are anything.
 template <class T>
 using Table = std::vector<T, LargePages<T>>;
 

@@ -146,6 +146,7 @@ std::array<Vec2, 2> project(const Chunk::Columns& columns, Vec2 v0, Vec2 v1) {
 void eliminate(const StrandSystem& a, Chunk& chunk, Table<Vec2>& x) {
   const size_t n = x.size(), begin = chunk.begin, end = chunk.end;
   const Pentadiagonal band(a, begin, end);
+  std::copy_n(a.right.data() + begin, end - begin, x.data() + begin);
   band.solve(x.data() + begin);
   if (chunk.has_front) {
     const size_t q = (begin + n - 1) % n, p = q - 1;
@@ -274,7 +275,7 @@ Table<Vec2> solve(const StrandSystem& system, ThreadPool& pool, size_t least_chu
   if (!system.diagonal_block.empty()) return solve_coupled(system);
   if (system.closed && system.diagonal.size() < kLeastBanded) return solve_dense(system);
   std::vector<Chunk> chunks = cut(system, least_chunk);
-  Table<Vec2> x = system.right;
+  Table<Vec2> x(system.right.size());
   pool.for_blocks(chunks.size(), 1, [&](size_t c, size_t, size_t) { eliminate(system, chunks[c], x); });
   if (!system.closed && chunks.size() == 1) return x;
   const std::vector<Vec2> pairs = solve_pairs(system, chunks, x);
