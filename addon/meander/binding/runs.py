@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import logging
-import math
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
@@ -31,7 +30,7 @@ from .interruption import heard
 from .named import number_of, refuse_other, whole_of
 from .native_library import native
 from .seed import Seed, seed_record
-from .spacing import automatic_spacing, spacing_for
+from .spacing import automatic_spacing
 from .surface import Surface
 
 
@@ -258,10 +257,7 @@ def _with_spacing(options: FlowOptions, surface: Surface) -> FlowOptions:
     refuse_other("options", options, FlowOptions)
     if options.radius != 0:
         return options
-    area = surface.statistics()["area"]
-    spacing = spacing_for(area)
-    if not (math.isfinite(area) and area > 0.0):
-        spacing = automatic_spacing(*surface._made_of[:2])
+    spacing = automatic_spacing(*surface._made_of[:2])
     logging.getLogger("meander").info(
         "The spacing is %g, which is automatic: no radius was chosen.", spacing
     )

@@ -33,5 +33,5 @@ def sentence(spacing: float) -> str:
     """What is said of an automatic one."""
     return (
         f"the spacing is {spacing:g}, which is automatic: a thirtieth of the side of a square of "
-        "the surface's area; --spacing S sets another"
+        "the surface's area, or as two strands need it in stems; --spacing S sets another"
     )

@@ -28,7 +28,8 @@ ROWS: tuple[Option, ...] = (
         flag=Flag(
             "--spacing",
             "distance between neighbouring strands, in scene units; default: automatic, as the "
-            "panel proposes it, a thirtieth of the side of a square of the surface's area",
+            "panel proposes it, a thirtieth of the side of a square of the surface's area, and as "
+            "wide as two strands need in the stems of a sheet such as a text",
             metavar="S",
             above=0.0,
             entry="spacing",
