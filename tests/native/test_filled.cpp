@@ -280,7 +280,7 @@ TEST(Filled, WhatHasALongBoundaryIsNoStrip) {
   for (const double depth : {0.05, 0.3}) {
     const Surface disc = make_surface(toothed_disc(1000, depth));
     EXPECT_FALSE(strips_of(disc)[0].is_long()) << depth;
-    EXPECT_FALSE(too_narrow_to_grow(disc, RadiusField(0.5 * kSpacing))) << depth;
+    EXPECT_FALSE(too_narrow_to_grow(disc, {}, RadiusField(0.5 * kSpacing))) << depth;
   }
   for (const Mesh& mesh : {strip(20, 0.1, 50), needle(20, 0.1, 50), ring(2, 0.1, 200), spiral(4, 0.4, 0.1, 400)}) {
     EXPECT_TRUE(strips_of(make_surface(mesh))[0].is_long());
@@ -358,6 +358,33 @@ TEST(Filled, BothSidesOfAHoleInARibbon) {
     const auto surface = shared(holed(20 * kSpacing, width, 95));
     expect_filled(flow_of(surface));
     expect_filled(flow_of(surface, {stroke({0.03, 0, 0}, {0.09, 0.002, 0})}));
+  }
+}
+
+/// A strand too short for a line beside it is joined to the lines ahead of it, and nothing need grow in what is
+/// narrower than two spacings: 210 and 188 iterations on the star and the fork where it did, most of them to draw in
+/// hairpins of which there are none. At the middle of the fork the line along the third arm is joined to another one.
+TEST(Filled, AShortStrokeIsJoinedToTheLinesAhead) {
+  struct Case {
+    const char* name;
+    Mesh mesh;
+    Line stroke;
+  };
+  const auto stroke = [](const Vec3& a, const Vec3& b) { return Line{{a, b}, false, false, false}; };
+  const double out = 10 * kSpacing / (2 * kPi);
+  for (const Case& c : {Case{"ring", ring(out, 0.8 * kSpacing, 200), stroke({out, -0.01, 0}, {out + 0.01, 0, 0})},
+                        {"star", star(10, 1, 0.8 * kSpacing, 20), stroke({0.9, 0.01, 0}, {0.91, -0.005, 0})},
+                        {"fork", star(3, 1, 0.8 * kSpacing, 20), stroke({0.005, -0.01, 0}, {0.01, -0.025, 0})}}) {
+    SCOPED_TRACE(c.name);
+    const auto surface = std::make_shared<const Surface>(make_surface(c.mesh));
+    const SeedStrands seed = seed_of({c.stroke}, false);
+    Flow flow(surface, &seed, {}, checked_settings(options_of(kSpacing), *surface));
+    EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+    EXPECT_LT(flow.history().size(), 100u);
+    EXPECT_EQ(flow.curve().strands.size(), 1u);
+    EXPECT_FALSE(flow.curve().strands[0].closed);
+    EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+    EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
   }
 }
 

@@ -23,14 +23,14 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
   return {{std::move(curve), {}, {}}, settings, std::move(domain), {settings.full_start, {}, 0}};
 }
 
-/// Whether a curve is laid first: that was asked for, or nothing was drawn and growth would leave so much that it is
-/// laid in the end all the same. Not in the paper's own program, nor where so wide a strip along the boundary is to
-/// stay empty that a narrow surface has hardly anything to fill.
-bool begins_full(const FlowSettings& settings, const Domain& domain, size_t drawn) {
+/// Whether a curve is laid first: that was asked for, or nothing can turn or, where nothing was drawn, growth would
+/// leave so much that it is laid in the end all the same. Not in the paper's own program, nor where so wide a strip
+/// along the boundary is to stay empty that a narrow surface has hardly anything to fill.
+bool begins_full(const FlowSettings& settings, const Domain& domain, const Curve& curve, size_t drawn) {
   if (settings.full_start) return true;
-  if (drawn > 0 || settings.stop_rule == StopRule::kPaper || settings.boundary_distance > 0.5) return false;
-  return too_narrow_to_grow(*domain.surface, domain.wanted_radius) ||
-         too_long_to_grow(*domain.surface, domain.wanted_radius);
+  if (settings.stop_rule == StopRule::kPaper || settings.boundary_distance > 0.5 || curve.has_guides()) return false;
+  return too_narrow_to_grow(*domain.surface, curve, domain.wanted_radius) ||
+         (drawn == 0 && too_long_to_grow(*domain.surface, domain.wanted_radius));
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
     : pool_(settings.threads),
       drawn_(seed && !seed->offsets.empty() ? seed->offsets.size() - 1 : 0),
       state_(first_state(std::move(surface), seed, density, settings, pool_.with(cancel), seed_fit_)),
-      convergence_(settings, begins_full(settings, state_.domain, drawn_)),
+      convergence_(settings, begins_full(settings, state_.domain, state_.curve, drawn_)),
       approach_(settings.start_spacing_factor, settings.radius, state_.domain.surface->area()) {
   ThreadPool pool = pool_.with(cancel);
   if (at_scale()) {

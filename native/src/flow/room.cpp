@@ -26,6 +26,16 @@ std::vector<uint8_t> with_open_strand(const Surface& surface, const Curve& curve
   return open;
 }
 
+/// Per component: an open strand may lie along its middle, with no way back.
+std::vector<uint8_t> with_strand_alone(const Surface& surface, const std::vector<Strip>& strips, const Curve& curve,
+                                       double radius) {
+  std::vector<uint8_t> alone = with_open_strand(surface, curve);
+  if (std::ranges::count(alone, 1) == 0) return alone;
+  const std::vector<uint8_t> two_ends = with_two_ends(surface, strips);
+  for (size_t k = 0; k < alone.size(); ++k) alone[k] &= two_ends[k] && strips[k].width < kAlongMiddle * radius;
+  return alone;
+}
+
 }  // namespace
 
 Room leave_room(const Surface& surface, const Curve& curve, RadiusField& radius) {
@@ -34,13 +44,7 @@ Room leave_room(const Surface& surface, const Curve& curve, RadiusField& radius)
   const double largest = radius.most();
   const auto narrow = [&](const Strip& strip) { return strip.width < 4 * largest; };
   if (std::ranges::none_of(strips, narrow)) return {};
-  std::vector<uint8_t> alone = with_open_strand(surface, curve);
-  if (std::ranges::count(alone, 1) > 0) {
-    const std::vector<uint8_t> two_ends = with_two_ends(surface, strips);
-    for (size_t k = 0; k < alone.size(); ++k) {
-      alone[k] &= two_ends[k] && strips[k].width < kAlongMiddle * largest;
-    }
-  }
+  const std::vector<uint8_t> alone = with_strand_alone(surface, strips, curve, largest);
   VertexData<double> most(surface.vertex_count());
   std::ranges::fill(most, std::numeric_limits<double>::infinity());
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
@@ -52,10 +56,11 @@ Room leave_room(const Surface& surface, const Curve& curve, RadiusField& radius)
   return {true, radius != before};
 }
 
-bool too_narrow_to_grow(const Surface& surface, const RadiusField& radius) {
-  return std::ranges::all_of(strips_of(surface), [&](const Strip& strip) {
-    return strip.is_long() && strip.width < 4 * radius.most();
-  });
+bool too_narrow_to_grow(const Surface& surface, const Curve& curve, const RadiusField& radius) {
+  const std::vector<Strip> strips = strips_of(surface);
+  const double largest = radius.most();
+  return std::ranges::all_of(strips, [&](const Strip& s) { return s.is_long() && s.width < 4 * largest; }) &&
+         std::ranges::count(with_strand_alone(surface, strips, curve, largest), 1) == 0;
 }
 
 bool too_long_to_grow(const Surface& surface, const RadiusField& radius) {

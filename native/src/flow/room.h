@@ -30,7 +30,7 @@ Room leave_room(const Surface& surface, const Curve& curve, RadiusField& radius)
 bool too_long_to_grow(const Surface& surface, const RadiusField& radius);
 
 /// Whether all components are strips narrower than two spacings: nothing can turn on them, and a line that grows can do
-/// no more than run on along them.
-bool too_narrow_to_grow(const Surface& surface, const RadiusField& radius);
+/// no more than run on along them. Not where an open strand needs no way back: it grows on along the middle.
+bool too_narrow_to_grow(const Surface& surface, const Curve& curve, const RadiusField& radius);
 
 }  // namespace meander

@@ -20,6 +20,9 @@ constexpr double kOneLine = 3.2, kTwoStrands = 6.4;
 /// A tail that is shorter than this, in r, stays part of its trunk.
 constexpr double kLeastTail = 1;
 
+/// A trunk that is no longer than this, in r, is not left sideways, since that is near to one of its ends.
+constexpr double kShortTrunk = 3;
+
 /// An end runs on along a line whose tip is no farther than this, in r, and no farther from straight ahead than by this
 /// cosine.
 constexpr double kAhead = 10, kStraightAhead = 0.5;
@@ -65,13 +68,26 @@ class Prolonging {
       : field_(field), network_(network), s_(network.surface()), lines_(lines), drawn_(drawn),
         shortener_(network.surface()) {}
 
+  /// Joins the end to a line that fills what is narrow with its way back, but for lines that are joined to one already.
+  void link_to_next(const std::vector<uint32_t>& nodes) {
+    linked_.resize(lines_.size(), 0);
+    const auto direction = nodes.size() < 2 ? std::nullopt : outward(network_, nodes);
+    if (!direction) return;
+    for (const uint32_t tip : tips_in_reach(nodes.back(), *direction, kTwoStrands)) {
+      const uint32_t line = network_.nodes()[tip].line;
+      if (linked_[line] || !join(nodes.back(), tip)) continue;
+      linked_[line] = 1;
+      return;
+    }
+  }
+
   /// Appends the nodes of the line ahead to those of a trunk, whose number is `line`; false where there is none. The
   /// first `kept` nodes stay.
   bool run_on(std::vector<uint32_t>& nodes, size_t kept, uint32_t line) {
     if (nodes.size() < 2) return false;
     const auto direction = outward(network_, nodes);
     if (!direction || !ends_in_narrow(nodes, *direction)) return false;
-    for (const uint32_t tip : tips_in_reach(nodes.back(), *direction)) {
+    for (const uint32_t tip : tips_in_reach(nodes.back(), *direction, kOneLine)) {
       if (!join(nodes, kept, tip)) continue;
       take(network_.nodes()[tip].line, tip, line, nodes);
       return true;
@@ -86,18 +102,18 @@ class Prolonging {
     const LineNetwork::Node& end = network_.nodes()[nodes.back()];
     for (size_t k = nodes.size(); k-- > 0;) {
       if ((network_.nodes()[nodes[k]].place - end.place).norm() > kOneLine * end.radius) break;
-      if (is_narrow(nodes[k])) return true;
+      if (is_narrow(nodes[k], kOneLine)) return true;
     }
     return false;
   }
-  bool is_narrow(uint32_t node) const {
+  bool is_narrow(uint32_t node, double width) const {
     const Vec2 direction = unit(field_.at(network_.nodes()[node].point));
-    return across(network_, node, direction, kOneLine).width() <= kOneLine;
+    return across(network_, node, direction, width).width() <= width;
   }
 
-  /// Tips of lines, most of which lie where it is narrow: those straight ahead, the nearest first, and then the others,
+  /// Tips of lines, most of which lie where it is no wider than this: those straight ahead, the nearest first, and then the others,
   /// as a strip may turn back at a corner.
-  std::vector<uint32_t> tips_in_reach(uint32_t end, Vec2 direction) {
+  std::vector<uint32_t> tips_in_reach(uint32_t end, Vec2 direction, double width) {
     const LineNetwork::Node& here = network_.nodes()[end];
     std::vector<std::tuple<bool, double, uint32_t>> tips;
     network_.near(here, kAhead * here.radius, [&](uint32_t i, double distance) {
@@ -112,13 +128,13 @@ class Prolonging {
     std::ranges::sort(tips);
     std::vector<uint32_t> found;
     for (const auto& [aside, distance, tip] : tips) {
-      if (is_narrow(lines_[network_.nodes()[tip].line])) found.push_back(tip);
+      if (is_narrow(lines_[network_.nodes()[tip].line], width)) found.push_back(tip);
     }
     return found;
   }
 
-  bool is_narrow(const Streamline& line) const {
-    const auto narrow = std::ranges::count_if(line.nodes, [&](uint32_t node) { return is_narrow(node); });
+  bool is_narrow(const Streamline& line, double width) const {
+    const auto narrow = std::ranges::count_if(line.nodes, [&](uint32_t node) { return is_narrow(node, width); });
     return 2 * static_cast<size_t>(narrow) > line.nodes.size();
   }
 
@@ -187,7 +203,15 @@ class Prolonging {
   std::vector<Streamline>& lines_;
   size_t drawn_;  // the first line that is neither a trunk nor part of one
   PathShortener shortener_;
+  std::vector<uint8_t> linked_;  // per line: link_to_next has joined it
 };
+
+/// Whether both ends are free and hold all of it, so that nothing leaves it sideways.
+bool is_short(const LineNetwork& network, const Trunk& trunk) {
+  const auto arc = [&](uint32_t node) { return network.nodes()[node].arc; };
+  return !trunk.closed && std::ranges::count(trunk.fixed, 0) == static_cast<std::ptrdiff_t>(trunk.fixed.size()) &&
+         std::abs(arc(trunk.nodes.back()) - arc(trunk.nodes.front())) < kShortTrunk;
+}
 
 }  // namespace
 
@@ -217,6 +241,7 @@ void Trunks::add(const Curve& curve, size_t drawn, LineNetwork& network, std::ve
     trunks.push_back(std::move(trunk));
     lines.push_back(std::move(line));
   }
+  parted.assign(trunks.size(), 0);
   for (size_t k = 0; k < trunks.size(); ++k) {
     if (!trunks[k].closed) part_alone(curve, k, network, lines);
   }
@@ -256,6 +281,7 @@ void Trunks::part_alone(const Curve& curve, size_t k, LineNetwork& network, std:
   };
   part(0, first);
   part(last, count);
+  parted[k] = first > 0 || last < count;
   const auto stays = [&](auto& list) {
     list = {list.begin() + static_cast<std::ptrdiff_t>(first), list.begin() + static_cast<std::ptrdiff_t>(last)};
   };
@@ -283,6 +309,14 @@ void Trunks::prolong(const LineField& field, size_t drawn, LineNetwork& network,
       std::ranges::reverse(trunk.fixed);
     }
     lines[k].nodes = trunk.nodes;
+  }
+  for (size_t k = 0; k < trunks.size(); ++k) {
+    if (prolonged[k] || parted[k] || !is_short(network, trunks[k])) continue;
+    std::vector<uint32_t> nodes = trunks[k].nodes;
+    for (int end = 0; end < 2; ++end) {
+      prolonging.link_to_next(nodes);
+      std::ranges::reverse(nodes);
+    }
   }
 }
 

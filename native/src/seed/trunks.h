@@ -17,12 +17,14 @@ namespace meander {
 /// * in a strip that has no room for a line and its way back it runs on along the line ahead of it, also round a corner
 ///   or beside a hole;
 /// * where it lies alone along the middle of a strip that has room for two, it becomes a line like others, which the
-///   curve walks round on its way to the rest of the strand.
+///   curve walks round on its way to the rest of the strand;
+/// * in such a strip a strand too short for that, and for a line beside it, is joined to the one ahead of it.
 struct Trunks {
   std::vector<uint32_t> strands;  ///< of the curve
   std::vector<Trunk> trunks;
   std::vector<uint8_t> holds;     ///< per node of the network: a fixed one
   std::vector<uint8_t> prolonged; ///< per trunk: it runs on along a line
+  std::vector<uint8_t> parted;    ///< per trunk: part of it is a line of its own
 
   /// Appends the strands of a curve that grow, the first `drawn` ones, to a network and to lines that have none yet,
   /// and then what is alone as lines of their own.
