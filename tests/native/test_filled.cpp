@@ -388,6 +388,27 @@ TEST(Filled, AShortStrokeIsJoinedToTheLinesAhead) {
   }
 }
 
+/// There is a link beside the hole, but a taut one lies on its corner, where its two sides cannot pass side by side: it
+/// was taken out, and one side stayed empty. What has grown on one side may be met at a right angle by none of the
+/// nearest places.
+TEST(Filled, LinksKeepClearOfAHole) {
+  const SeedStrands seed = seed_of({Line{{{0.01, -0.03, 0}, {0.02, -0.01, 0}}, false, false, false}}, false);
+  for (const double length : {50 * kSpacing, 60 * kSpacing}) {
+    for (const double width : {1.5 * kSpacing, 2 * kSpacing, 2.5 * kSpacing}) {
+      for (const uint32_t n : {1u, 48u, 100u}) {
+        const auto surface = std::make_shared<const Surface>(make_surface(holed(length, width, n)));
+        for (const bool drawn : {false, true}) {
+          SCOPED_TRACE(testing::Message() << length << " x " << width << " of " << n << (drawn ? ", a stroke" : ""));
+          Flow flow(surface, drawn ? &seed : nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+          EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+          EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+          EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+        }
+      }
+    }
+  }
+}
+
 /// Nothing can move on a pipe so thin, whatever spacing is wanted there: what they are full of is no failure.
 TEST(Filled, WhatIsHeldThereIsAtRest) {
   for (const Mesh& mesh : {pipe(1, 0.8 * kPi * kSpacing, 1, 6), pipe(5, 0.4 * kPi * kSpacing, 100)}) {

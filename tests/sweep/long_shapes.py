@@ -198,10 +198,24 @@ def ladder(length: float, width: float, pieces: int) -> Mesh:
     return cells(used, xs, width * np.arange(4.0))
 
 
+def holed(length: float, width: float, pieces: int) -> Mesh:
+    """A ribbon with a square hole in its middle, a third as wide."""
+    side, half = width / 3, max(pieces // 2, 1)
+    xs = np.concatenate(
+        [
+            np.linspace(0, (length - side) / 2, half + 1),
+            np.linspace((length + side) / 2, length, half + 1),
+        ]
+    )
+    used = np.ones((2 * half + 1, 3), dtype=bool)
+    used[half, 1] = False
+    return cells(used, xs, side * np.arange(4.0))
+
+
 SHAPES: dict[str, Callable[[float, float, int], Mesh]] = {
     made.__name__: made
     for made in (
-        *(strip, ring, spiral, pipe, square_pipe, star, needle),
+        *(strip, ring, spiral, pipe, square_pipe, star, needle, holed),
         *(zigzag, fork, crossroads, comb, ladder, twisted_ring, hexagon_pipe, helix, cone),
     )
 }

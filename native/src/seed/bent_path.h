@@ -12,9 +12,20 @@ namespace meander {
 
 /// The shortest locally shortest path found between two nodes that are near each other, but do not see each other, as
 /// round a hole or the inner side of a corner: by way of places beside the middle of the straight line between them,
-/// in steps of a quarter of its length to both sides. Nothing where none of these sees both. Whether it touches
+/// in steps of a 32nd of its length to both sides. Nothing where none of these sees both. Whether it touches
 /// anything is for the caller to ask. `path` is the result's, else anything.
 std::optional<PathShape> bent_path(const LineNetwork& network, uint32_t from, uint32_t to, PathShortener& shortener,
                                    Path& path);
+
+/// A path from one node to another in two straight legs.
+struct Bend {
+  SurfacePoint place;
+  Path to, on;                   ///< it, and from it
+  PathShape shape_to, shape_on;
+};
+
+/// The same by way of that place, where both legs are to be short and clear of boundaries and guides, so that there is
+/// room on both sides of them; nothing where there is no such path. A taut one would lie on the corner.
+std::optional<Bend> bend_between(const LineNetwork& network, uint32_t from, uint32_t to, PathShortener& shortener);
 
 }  // namespace meander

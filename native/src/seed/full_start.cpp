@@ -266,6 +266,20 @@ std::vector<LineTree> trees_to_walk(const Curve& first, size_t drawn, const std:
   return trees;
 }
 
+/// Takes an edge out of the network: a link, or one of a line, which is two lines from then on.
+void cut_at(uint32_t edge, std::vector<Streamline>& lines, LineNetwork& network) {
+  network.take_out(edge);
+  const LineNetwork::Edge& e = network.edges()[edge];
+  const uint32_t line = network.nodes()[e.from].line;
+  if (line != network.nodes()[e.to].line) return;
+  std::vector<uint32_t>& nodes = lines[line].nodes;
+  const auto cut = std::max(std::ranges::find(nodes, e.from), std::ranges::find(nodes, e.to));
+  Streamline rest{{cut, nodes.end()}};
+  nodes.erase(cut, nodes.end());
+  for (const uint32_t node : rest.nodes) network.set_line(node, static_cast<uint32_t>(lines.size()));
+  lines.push_back(std::move(rest));
+}
+
 }  // namespace
 
 FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,

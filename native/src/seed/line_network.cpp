@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "curve/crossings.h"
+#include "geodesic/geodesic_trace.h"
 
 namespace meander {
 namespace {
@@ -118,6 +119,20 @@ std::optional<LineNetwork::Meeting> LineNetwork::first_met(uint32_t from, const 
     }
   });
   return met;
+}
+
+bool LineNetwork::passes_by(uint32_t from, uint32_t other_line, Vec2 walk, double clear) const {
+  const Node& here = nodes_[from];
+  for (const double share : {0.25, 0.5, 0.75}) {
+    Path path;
+    const Trace there = trace_geodesic(surface_, here.point, share * walk, path);
+    const Node place = make_node(there.end, kNone, 0);
+    const bool any = near(place, clear * place.radius, [&](uint32_t i, double) {
+      return nodes_[i].line != here.line && nodes_[i].line != other_line && nodes_[i].line != kBoundary;
+    });
+    if (any) return true;
+  }
+  return false;
 }
 
 void LineNetwork::add_edge(uint32_t from, uint32_t to, Path path, const PathShape& shape) {

@@ -66,6 +66,9 @@ class LineNetwork {
   };
   /// The first edge, or obstacle (kNone), that a walk from a node to a point meets; nothing where it meets none.
   std::optional<Meeting> first_met(uint32_t from, const SurfacePoint& end, const Path& path) const;
+  /// Whether a straight walk from a node to one of another line has places nearer than `clear`, in the local r, to any
+  /// third line.
+  bool passes_by(uint32_t from, uint32_t other_line, Vec2 walk, double clear) const;
   /// Of an edge that touches none.
   void add_edge(uint32_t from, uint32_t to, Path path, const PathShape& shape);
   /// From then on others may touch it. It keeps its number.

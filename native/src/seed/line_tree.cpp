@@ -2,7 +2,6 @@
 #include "seed/line_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -64,15 +63,13 @@ struct Candidate {
 
 class Joiner {
  public:
-  Joiner(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds, uint32_t variation,
+  Joiner(std::vector<Streamline>& lines, const std::vector<uint8_t>& holds, uint32_t variation,
          LineNetwork& network, ThreadPool& pool, CancelToken poll)
       : lines_(lines), variation_(variation), network_(network), s_(network.surface()), pool_(pool), poll_(poll),
         trees_(lines.size()),
         shortener_(network.surface()), index_(network.nodes().size(), kNone), tangent_(network.nodes().size()),
         trunk_(lines.size(), 0), held_(network.nodes().size(), 0), used_(lines.size()) {
-    for (const Streamline& line : lines) {
-      for (size_t k = 0; k < line.nodes.size(); ++k) index_[line.nodes[k]] = static_cast<uint32_t>(k);
-    }
+    for (uint32_t k = 0; k < lines.size(); ++k) number(k);
     for (const LineNetwork::Edge& e : network.edges()) {
       if (e.taken_out || line_of(e.from) != line_of(e.to)) continue;
       const bool closing = lines[line_of(e.from)].closed && index_[e.to] == 0;
@@ -114,7 +111,7 @@ class Joiner {
   }
 
  private:
-  using Best = std::map<std::pair<uint32_t, bool>, Candidate>;  // of one node, per line and whether at its tip
+  using Best = std::map<std::pair<uint32_t, double>, Candidate>;  // of one node, per line and part of it
 
   uint32_t line_of(uint32_t node) const { return network_.nodes()[node].line; }
 
@@ -218,7 +215,7 @@ class Joiner {
     Chart chart = Chart::at(a.point, a.place);
     if (!chart.advance_to(s_, b.point, b.place, kUsual.longest * a.radius)) return;
     const double length = norm(chart.place);
-    if (!(length > 0) || length > kUsual.longest * a.radius || passes_over_another(a, b, chart.place)) return;
+    if (!(length > 0) || length > kUsual.longest * a.radius || network_.passes_by(c.from, line_of(c.to), chart.place, kClear)) return;
     Path path;
     trace_geodesic(s_, a.point, chart.place, path);
     if (const auto shape = shortener_.adopt(a.point, b.point, path)) link(kUsual, c, std::move(path), *shape);
@@ -252,7 +249,8 @@ class Joiner {
     return any;
   }
 
-  /// Joins trees from their tips by paths with a bend, as beside a hole in a ribbon. Whether it has joined any.
+  /// Joins trees from their tips by paths with a bend, to which the line goes on, as beside a hole in a ribbon. Whether
+  /// it has joined any.
   bool join_round_corners() {
     const std::vector<uint8_t> marked = not_in_largest();
     std::vector<Candidate> candidates;
@@ -263,10 +261,15 @@ class Joiner {
         const auto wanted = [&](uint32_t line) {
           return line < LineNetwork::kBoundary && trees_.find(line) != trees_.find(k);
         };
+        // The nearest node of a line and the nearer one of its tips, and of a trunk, which may come by from any side,
+        // the nearest of every piece as long as r.
         Best best_here;
         network_.near(here, kUsual.longest * here.radius, wanted, [&](uint32_t i, double distance) {
           const Candidate c{distance / here.radius, tip, i};
-          const auto [best, added] = best_here.try_emplace({line_of(i), false}, c);
+          const Streamline& line = lines_[line_of(i)];
+          const bool at_tip = i == line.nodes.front() || i == line.nodes.back();
+          const double piece = line.trunk ? std::floor(network_.nodes()[i].arc) : at_tip;
+          const auto [best, added] = best_here.try_emplace({line_of(i), piece}, c);
           if (!added && c < best->second) best->second = c;
           return false;
         });
@@ -278,11 +281,47 @@ class Joiner {
     for (const Candidate& c : candidates) {
       if (trees_.find(line_of(c.from)) == trees_.find(line_of(c.to))) continue;
       poll_(kSearched);
-      Path path;
-      const auto shape = bent_path(network_, c.from, c.to, shortener_, path);
-      any = (shape && link(kLast, c, std::move(path), *shape)) || any;
+      any = link_by_bend(c) || any;
     }
     return any;
+  }
+
+  /// Leads the line on from its tip to a bend, and links it there, if that may be; whether it has.
+  bool link_by_bend(const Candidate& c) {
+    if (is_used(c.from, Exit::kTip)) return false;
+    auto bend = bend_between(network_, c.from, c.to, shortener_);
+    if (!bend || exit_of(kLast, c.from, bend->shape_to.leaving) != Exit::kTip) return false;
+    if (network_.touches(c.from, kNone, bend->place, bend->to)) return false;
+    const LineNetwork::Node here = network_.nodes()[c.from];
+    std::vector<uint32_t>& nodes = lines_[here.line].nodes;
+    const bool at_end = c.from == nodes.back();
+    const double sign = at_end ? 1 : -1, step = bend->shape_to.length / here.radius;
+    const LineNetwork::Mark mark = network_.mark();
+    const uint32_t node = network_.add_node(network_.make_node(bend->place, here.line, here.arc + sign * step));
+    network_.add_edge(c.from, node, std::move(bend->to), bend->shape_to);
+    const std::vector<uint32_t> before = nodes;
+    nodes.insert(at_end ? nodes.end() : nodes.begin(), node);
+    index_.push_back(kNone);
+    tangent_.push_back(sign * unit(bend->shape_to.arriving));
+    held_.push_back(0);
+    number(here.line);
+    if (link(kLast, {c.cost, node, c.to}, std::move(bend->on), bend->shape_on)) {
+      tangent_[c.from] = unit(tangent_[c.from] + sign * bend->shape_to.leaving);
+      return true;
+    }
+    network_.take_back(mark);
+    nodes = before;
+    index_.pop_back();
+    tangent_.pop_back();
+    held_.pop_back();
+    number(here.line);
+    return false;
+  }
+
+  /// Notes the places of a line's nodes in it.
+  void number(uint32_t line) {
+    const std::vector<uint32_t>& nodes = lines_[line].nodes;
+    for (size_t k = 0; k < nodes.size(); ++k) index_[nodes[k]] = static_cast<uint32_t>(k);
   }
 
   /// Where a walk meets a line of another tree: a node beside that place, and the shape of the path there, which is
@@ -334,22 +373,7 @@ class Joiner {
     });
   }
 
-  bool passes_over_another(const LineNetwork::Node& a, const LineNetwork::Node& b, Vec2 link) const {
-    for (const double share : {0.25, 0.5, 0.75}) {
-      Path path;
-      const Trace there = trace_geodesic(s_, a.point, share * link, path);
-      const LineNetwork::Node node = network_.make_node(there.end, kNone, 0);
-      if (network_.near(node, kClear * node.radius, [&](uint32_t i, double) {
-            const uint32_t line = network_.nodes()[i].line;
-            return line != a.line && line != b.line && line != LineNetwork::kBoundary;
-          })) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  const std::vector<Streamline>& lines_;
+  std::vector<Streamline>& lines_;
   uint32_t variation_;
   LineNetwork& network_;
   const Surface& s_;
@@ -367,23 +391,10 @@ class Joiner {
 
 }  // namespace
 
-std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds,
+std::vector<uint32_t> join_lines(std::vector<Streamline>& lines, const std::vector<uint8_t>& holds,
                                  uint32_t variation, LineNetwork& network, ThreadPool& pool,
                                  CancelToken poll) {
   return Joiner(lines, holds, variation, network, pool, poll).join();
-}
-
-void cut_at(uint32_t edge, std::vector<Streamline>& lines, LineNetwork& network) {
-  network.take_out(edge);
-  const LineNetwork::Edge& e = network.edges()[edge];
-  const uint32_t line = network.nodes()[e.from].line;
-  if (line != network.nodes()[e.to].line) return;
-  std::vector<uint32_t>& nodes = lines[line].nodes;
-  const auto cut = std::max(std::ranges::find(nodes, e.from), std::ranges::find(nodes, e.to));
-  Streamline rest{{cut, nodes.end()}};
-  nodes.erase(cut, nodes.end());
-  for (const uint32_t node : rest.nodes) network.set_line(node, static_cast<uint32_t>(lines.size()));
-  lines.push_back(std::move(rest));
 }
 
 }  // namespace meander

@@ -16,7 +16,8 @@ namespace meander {
 /// a link goes on straight from a tip, that one is gone. So links at tips come first, then those near to tips, then
 /// short ones. None passes over a third line, and links on one side of a line keep a spacing from one another.
 ///
-/// Trees that no such link joins, as on either side of a fold, are joined by what straight walks from them meet first.
+/// Trees that no such link joins, as on either side of a fold, are joined by what straight walks from them meet first,
+/// and those that have no such walk, as on either side of a hole, by lines that go on to a bend.
 ///
 /// Trunks are lines that belong to different trees; links leave them sideways only, no nearer to a fixed node than 1.5
 /// r, and only one from a place. What cannot be joined to the trunk of its component stays a tree of its own.
@@ -28,10 +29,7 @@ namespace meander {
 /// spanning tree.
 ///
 /// Links that there are already stay, and where one was taken out none comes again.
-std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds,
+std::vector<uint32_t> join_lines(std::vector<Streamline>& lines, const std::vector<uint8_t>& holds,
                                  uint32_t variation, LineNetwork& network, ThreadPool& pool, CancelToken poll);
-
-/// Takes an edge out of the network: a link, or one of a line, which is two lines from then on.
-void cut_at(uint32_t edge, std::vector<Streamline>& lines, LineNetwork& network);
 
 }  // namespace meander
