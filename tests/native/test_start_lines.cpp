@@ -112,5 +112,28 @@ TEST(StartLines, AreAtTheirDistance) {
   EXPECT_GT(static_cast<double>(right), 0.6 * static_cast<double>(gaps));
 }
 
+/// Round a thin tube that closes, lines along it are two, three or four, whatever is wanted. So the field is turned
+/// until the curve is as long as it is to be.
+TEST(StartLines, AreAsLongAsTheyAreToBeRoundATubeThatCloses) {
+  const Mesh mesh = joined(torus(96, 24, 1, 0.2), torus(80, 24, 1, 0.25), 4);
+  const auto surface = std::make_shared<const Surface>(make_surface(mesh));
+  for (const double lines : {2.5, 2.8, 3.2, 3.5}) {  // along the first tube
+    SCOPED_TRACE(lines);
+    const Flow flow(surface, nullptr, {}, checked_settings(options_of(2 * kPi * 0.2 / lines / 2), *surface));
+    const double r = flow.settings().radius;
+    ThreadPool pool(1);
+    for (const uint32_t variation : {0, 1}) {
+      const Curve full = full_start(*surface, flow.curve(), 0, RadiusField(r), {}, nullptr, 0.5, pool,
+                                    StartLines::kPhase, variation).curve;
+      std::vector<double> length(2, 0), area(2, 0);
+      for (uint32_t i = 0; i < full.size(); ++i) {
+        length[surface->component(full.nodes[i].face)] += full.shapes[i].length;
+      }
+      for (uint32_t f = 0; f < surface->face_count(); ++f) area[surface->component(f)] += surface->face_area(f);
+      for (size_t k = 0; k < 2; ++k) EXPECT_NEAR(length[k] * 2 * r / area[k], 1, 0.05);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace meander::test::start_lines_tests

@@ -4,18 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <utility>
 
-#include "base/elementary.h"
-#include "base/variation.h"
-#include "mesh/even_lines.h"
-#include "mesh/line_relaxation.h"
-#include "mesh/strips.h"
 #include "seed/guide_samples.h"
-#include "seed/level_lines.h"
 #include "seed/line_tree.h"
+#include "seed/phase_lines.h"
 #include "seed/streamlines.h"
 #include "seed/tree_tour.h"
 #include "seed/trunks.h"
@@ -45,118 +39,11 @@ constexpr double kFullOfPhase = 1.02, kFullOfPhaseAlong = 1, kLeastOfPhase = 2.2
 /// Walls are known by places this far apart, in r.
 constexpr double kWallStep = 0.5;
 
-/// Lines follow strips and stems that are narrower than the first, in r; there are two from the second width on.
-constexpr double kNarrow = 6.4, kTwoAlong = 16.0 / 3;
-
 /// How far patches look, in r; see SurfacePatches.
 constexpr double kClamp = 3;
 
 /// Work between two asks, in pieces of some hundred nanoseconds.
 constexpr uint32_t kPieces = 1024;
-
-bool has_direction(Vec2 line) { return norm(line) > 1e-9; }
-
-/// Every component of the surface that has no direction.
-std::vector<uint8_t> without_field(const Surface& surface, const LineField& field) {
-  std::vector<uint8_t> without(surface.component_count(), 1);
-  for (uint32_t f = 0; f < surface.face_count() && !field.empty(); ++f) {
-    if (has_direction(field.at(make_point(f, 1, 1, 1)))) without[surface.component(f)] = 0;
-  }
-  return without;
-}
-
-/// The field of a full start.
-struct StartField {
-  LineField lines;
-  std::vector<double> widths;  // per component: across lines that divide it evenly, in r; 0: lines lie as they may
-};
-
-/// How wide every component is that is a strip with room for a line or two along it, in r; 0 where it is none.
-std::vector<double> widths_of_strips(const Surface& surface, const RadiusField& radius) {
-  std::vector<double> widths;
-  for (const Strip& strip : strips_of(surface)) {
-    const double width = strip.width / radius.most();
-    widths.push_back(strip.is_long() && width < kNarrow ? width : 0);
-  }
-  return widths;
-}
-
-/// Which components keep the smoothest field as it is, though they have a boundary: rows are straight on a flat sheet,
-/// but for one of stems, as a letter. Its mean width is twice its area over its boundary.
-std::vector<uint8_t> straight_sheets(const Surface& surface, const LineField& smooth, double radius) {
-  std::vector<double> area(surface.component_count(), 0), boundary(area.size(), 0);
-  for (uint32_t f = 0; f < surface.face_count(); ++f) area[surface.component(f)] += surface.face_area(f);
-  for (const HalfEdge e : surface.boundary()) boundary[surface.component(face_of(e))] += norm(surface.along(e));
-  std::vector<uint8_t> straight = with_even_lines(surface, smooth);
-  for (size_t k = 0; k < area.size(); ++k) straight[k] &= 2 * area[k] > kNarrow * radius * boundary[k];
-  return straight;
-}
-
-/// The smoothest field, which the boundary holds but for straight sheets. Where none holds it, it is as smooth turned
-/// by any angle, which is that of the variation. In strips lines lie along these: the smoothest field of a flat ring is
-/// parallel, and its lines are short there. Lines of a density stay parallel: their distances say enough.
-StartField smooth_field(const Surface& surface, const RadiusField& radius, uint32_t variation,
-                        ThreadPool& pool) {
-  const double angle = 2 * std::numbers::pi * share_of_variation(variation);
-  const Vec2 turn = variation == 0 ? Vec2{1, 0} : Vec2{elementary::cos(angle), elementary::sin(angle)};
-  StartField smooth{relaxed_field(surface, turn, false, pool), widths_of_strips(surface, radius)};
-  const std::vector<double>& narrow = smooth.widths;
-  if (!surface.boundary().empty() && !radius.varies()) {
-    const std::vector<uint8_t> straight = straight_sheets(surface, smooth.lines, radius.most());
-    if (std::ranges::count(straight, 0) > 0) {
-      smooth.lines.replace(relaxed_field(surface, turn, true, pool),
-                           [&](uint32_t f) { return !straight[surface.component(f)]; });
-    }
-  }
-  if (std::ranges::any_of(narrow, [](double width) { return width > 0; })) {
-    smooth.lines.replace(field_along_boundary(surface, pool),
-                         [&](uint32_t f) { return narrow[surface.component(f)] > 0; });
-  }
-  return smooth;
-}
-
-/// The field and, on components without any, the smoothest one.
-StartField completed(const Surface& surface, const LineField& field, const RadiusField& radius, uint32_t variation,
-                     ThreadPool& pool) {
-  const std::vector<uint8_t> without = without_field(surface, field);
-  if (std::ranges::count(without, 1) == 0) return {field, std::vector<double>(without.size(), 0)};
-  StartField smooth = smooth_field(surface, radius, variation, pool);
-  if (field.empty()) return smooth;
-  LineField both = field;
-  both.replace(smooth.lines, [&](uint32_t f) { return without[surface.component(f)] != 0; });
-  for (size_t k = 0; k < without.size(); ++k) smooth.widths[k] *= without[k];
-  return {std::move(both), std::move(smooth.widths)};
-}
-
-/// Of two whole numbers that are as near the lower one, as where an odd number of strands would fit: a closed line has
-/// an even one, and strands that are too far apart look better than ones that are too near.
-double nearest_count(double lines) {
-  constexpr double kRounding = 1e-6;
-  return std::max(std::ceil(lines * (1 - kRounding) - 0.5), 1.0);
-}
-
-/// Of lines that are as long together as they are to be. Where lines are even a whole number of them divides the width,
-/// by how far apart strands are to come: even rows stay as far apart as they are laid.
-std::vector<StripeDistances> stripe_distances(const Surface& surface, const StartField& field,
-                                              const RadiusField& radius, const LineSpacing& spacing,
-                                              double boundary_distance, double rest) {
-  const double margin = 2 * boundary_distance - 1;
-  const auto at = [&](double apart) { return StripeDistances{apart, 0.5 * apart + margin}; };
-  std::vector<StripeDistances> distances(surface.component_count(), at(spacing.apart / spacing.full));
-  if (radius.varies()) return distances;
-  const std::vector<uint8_t> even = with_even_lines(surface, field.lines);
-  const std::vector<double> across =
-      std::ranges::count(even, 1) > 0 ? widths_across(surface, field.lines) : std::vector<double>(even.size(), 0);
-  for (size_t k = 0; k < even.size(); ++k) {
-    if (even[k] && across[k] > 0) {
-      const double width = across[k] / radius.most() - 2 * margin;
-      distances[k] = at(width / nearest_count(width / (rest * spacing.apart)));
-    } else if (field.widths[k] > 0) {
-      distances[k] = at(field.widths[k] / (field.widths[k] < kTwoAlong ? 1 : 2));
-    }
-  }
-  return distances;
-}
 
 void add_boundary(const RadiusField& radius, LineNetwork& network) {
   const Surface& s = network.surface();
@@ -303,16 +190,13 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   }
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
   const CancelToken poll = pool.poll(kPieces);
-  const StartField whole = completed(surface, field, radius, variation, pool);
+  StartField whole = start_field(surface, field, radius, variation, pool);
   std::vector<std::vector<SurfacePoint>> first_lines;
   if (lines_of != StartLines::kStreamlines) {
     const bool smooth = field.empty() && !radius.varies();
     spacing.least = smooth ? kLeastOfPhase : kLeastAlong;
     if (!radius.varies()) spacing.full = smooth ? kFullOfPhase : kFullOfPhaseAlong;
-    const std::vector<StripeDistances> distances =
-        stripe_distances(surface, whole, radius, spacing, boundary_distance, rest);
-    const StripePhase phase(surface, whole.lines, radius, distances, pool);
-    first_lines = level_lines(surface, phase, radius, spacing.step, variation, poll);
+    first_lines = lines_of_phase(surface, radius, spacing, boundary_distance, rest, variation, pool, poll, whole);
   }
   const size_t before = lines.size();
   draw_streamlines(whole.lines, radius, spacing, first_lines, variation, network, pool, poll, lines);

@@ -30,9 +30,6 @@ constexpr double kShortestLaid = 1;
 /// Between others lines begin in gaps that are narrower by this, in r, from turn to turn.
 constexpr double kNarrower = 0.2;
 
-/// Each line has a link, which is so long in r.
-constexpr double kLink = 3;
-
 /// A stem is narrower than this, in r, and has two lines from the second width on: four strands, a quarter of the width
 /// from one another, are then nearer to the spacing than two at half of it.
 constexpr double kStem = 8, kTwoLines = 16.0 / 3;
@@ -195,7 +192,7 @@ class Drawer {
     const uint32_t component = s_.component(p.face);
     if (shortest_ == kShortestAlone && has_line_[component]) return 0;
     if (apart_ == spacing_.apart) return std::numeric_limits<double>::infinity();
-    return wanted_[component] - drawn_[component] - kLink;
+    return wanted_[component] - drawn_[component] - spacing_.link;
   }
   bool is_full(const SurfacePoint& p) const { return room(p) < shortest_ * spacing_.apart; }
 
@@ -238,7 +235,7 @@ class Drawer {
     const double length = network_.nodes()[drawn.nodes.back()].arc + back;
     if (length < shortest_ * spacing_.apart) return network_.take_back(mark);
     offer_beside(drawn, apart_);
-    drawn_[s_.component(p.face)] += length + kLink;
+    drawn_[s_.component(p.face)] += length + spacing_.link;
     has_line_[s_.component(p.face)] = 1;
     lines_.push_back(std::move(drawn));
   }
@@ -260,7 +257,7 @@ class Drawer {
         continue;
       }
       const uint32_t component = s_.component(node.point.face);
-      drawn_[component] += length + kLink;
+      drawn_[component] += length + spacing_.link;
       has_line_[component] = 1;
       lines_.push_back(std::move(drawn));
     }

@@ -31,6 +31,7 @@ struct LineSpacing {
   double between = 2.8;    ///< and, where they begin later, between two that diverge, at least
   double least = 2.6;      ///< a line ends before it comes nearer to another one
   double full = 1.035;     ///< lines and their links are as long as this, over area / (4 r), if there is room for them
+  double link = 3;         ///< of each of them
   double step = 0.5;       ///< between two nodes
   double from_walls = 3;   ///< as `apart`, from guides and trunks
   double least_from_walls = 1.9;
