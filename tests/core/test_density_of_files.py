@@ -125,6 +125,11 @@ def test_the_curve_is_closer_where_it_is_bright(tmp_path: Path) -> None:
             ("--density-attribute", "q"),
             "not a finite number at vertex 0",
         ),
+        (
+            lambda f: _obj(f / "a.obj", "1 nan 1"),
+            ("--density-color", "rgb"),
+            "not a finite number at vertex 1 of",
+        ),
         (FILES["obj"], ("--density-attribute", "q"), "a .obj file has none"),
         (lambda f: _stl(f, [0] * 128), ("--density-color", "rgb"), "no colours of vertices or"),
         (lambda f: _stl(f, [0] * 128), ("--density-attribute", "q"), "a .stl file has none"),

@@ -324,9 +324,10 @@ def values_of_file(
         values[lone] = values[~lone].min()  # which nothing of the surface has
     bad = np.flatnonzero(~np.isfinite(values))
     if len(bad):
+        vertex = int(bad[0]) + (path.suffix.lower() == ".obj")  # which counts them from 1
         raise FileError(
-            f"'{choice.name}' is not a finite number at vertex {int(bad[0])} of {path}; correct "
-            "its values"
+            f"'{choice.name}' is not a finite number at vertex {vertex} of {path}; correct its "
+            "values"
         )
     return values
 
