@@ -90,8 +90,7 @@ def write_curve(
     Raises FileError: the file cannot be written, or an option means nothing for its format.
     """
     path = path_of(path)
-    _refuse(path, flow, step, tolerance, frame_id)
-    step, tolerance = (None if each is None else float(each) for each in (step, tolerance))
+    step, tolerance = _checked_lengths(path, flow, step, tolerance, frame_id)
     suffix, kind = export.suffix_of(path), export.format_of(path)
     values = drawing_values(suffix, kind, drawing)
     paper = _paper(sheet, sheet_margin)
@@ -144,9 +143,10 @@ def _paper(sides: Any, margin: Any) -> Paper | None:
     return found
 
 
-def _refuse(
+def _checked_lengths(
     path: Path, flow: Any, step: float | None, tolerance: float | None, frame_id: Any
-) -> None:
+) -> list[float | None]:
+    """Step and tolerance as numbers. Raises FileError for what cannot be written so."""
     if not isinstance(flow, Flow):
         raise FileError(f"flow must be a Flow, not a {type(flow).__name__}; write that of one")
     if export.suffix_of(path) not in _CURVES:
@@ -162,6 +162,7 @@ def _refuse(
     for name, length in (("step", step), ("tolerance", tolerance)):
         if length is not None and not _is_positive(length):
             raise FileError(f"{name} {length!r} is not a finite number greater than 0")
+    return [None if length is None else float(length) for length in (step, tolerance)]
 
 
 def _is_positive(length: Any) -> bool:
