@@ -41,8 +41,9 @@ _AT_ONCE = 1 << 21
 # The shares of the work at a tile that are done when its pixels are known, and when their middles
 # have been looked at and all that is left are means.
 _PIXELS_FOUND, _MIDDLES_LOOKED_AT = 0.1, 0.3
-# Places along each side of a pixel of which it is the mean, where turns meet in it.
-_SAMPLES = 4
+# Places along each side of a pixel of which it is the mean, where turns meet in it: no fewer than
+# the first and no more than the second, and no farther apart than this share of the spacing.
+_SAMPLES, _APART = (4, 8), 0.04
 # Pixels wider than this share of the spacing are all means: heights bend within them.
 _COARSE = 0.08
 # Neighbouring pixels farther apart than this along the line, in spacings, belong to two turns.
@@ -251,7 +252,8 @@ class Tile:
         """Puts the mean over so many places of each of these pixels in the place of its middle, and
         gives the share that is done."""
         sums = {kind: np.zeros((len(pixels), *images[kind].shape[1:])) for kind in kinds}
-        steps = (np.arange(_SAMPLES) + 0.5) / _SAMPLES - 0.5
+        samples = self._samples(pixels)
+        steps = (np.arange(samples) + 0.5) / samples - 0.5
         offsets = np.stack(np.meshgrid(steps, steps), axis=2).reshape(-1, 2)
         for passed, offset in enumerate(offsets):
             found = core.map_pixels(
@@ -268,7 +270,14 @@ class Tile:
                     sums[kind][part] += self._values(kind, at)
                 yield (passed + done) / len(offsets)
         for kind in kinds:
-            images[kind][pixels] = sums[kind] / _SAMPLES**2
+            images[kind][pixels] = sums[kind] / samples**2
+
+    def _samples(self, pixels: NDArray[np.int64]) -> int:
+        """Along each side of these pixels: the more, the wider they are on the surface."""
+        if not len(pixels):
+            return _SAMPLES[0]
+        width = float(np.median(self._pixel_widths[self.face[pixels]])) / self._mapped.spacing
+        return int(np.clip(np.ceil(width / _APART), *_SAMPLES))
 
     def _look(self, face: NDArray[np.int32], weights: NDArray[np.float32]) -> _Looked:
         cut = self._mapped.cut
