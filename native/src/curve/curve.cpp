@@ -6,6 +6,16 @@
 #include "base/close_growth.h"
 
 namespace meander {
+namespace {
+
+/// No segment begins there, so nobody else writes its shape.
+void clear_open_ends(Curve& curve) {
+  for (const Strand& s : curve.strands) {
+    if (!s.closed && s.count > 0 && s.end() <= curve.shapes.size()) curve.shapes[s.end() - 1] = {};
+  }
+}
+
+}  // namespace
 
 void Curve::link() {
   next_.assign(nodes.size(), kNone);
@@ -25,6 +35,7 @@ void Curve::link() {
       std::fill_n(on_guide_.begin() + s.first, s.count, uint8_t{1});
     }
   }
+  clear_open_ends(*this);
 }
 
 void Curve::hand_on() noexcept {
@@ -40,6 +51,7 @@ void Curve::lay_out_as(const Curve& other) {
   on_guide_ = other.on_guide_;
   resize_closely(paths, nodes.size());
   resize_closely(shapes, nodes.size());
+  clear_open_ends(*this);
 }
 
 void Curve::pieces(std::vector<Piece>& out) const {
