@@ -40,13 +40,11 @@ Vec2 squared(Vec2 v) { return v * v; }
 /// Per half-edge the number that carries the square of a line from its face to the one across; 0 at the boundary.
 std::vector<Vec2> carried_across(const Surface& s, ThreadPool& pool) {
   std::vector<Vec2> carried(3 * s.face_count());
-  pool.for_blocks(carried.size(), kMeshGrain, [&](size_t, size_t begin, size_t end) {
-    for (auto e = static_cast<HalfEdge>(begin); e < end; ++e) {
-      const HalfEdge twin = s.twin(e);
-      if (twin == kNone || twin < e) continue;
-      carried[e] = squared(s.transition(e));
-      carried[twin] = conj(carried[e]);
-    }
+  pool.for_each(carried.size(), kMeshGrain, [&](HalfEdge e) {
+    const HalfEdge twin = s.twin(e);
+    if (twin == kNone || twin < e) return;
+    carried[e] = squared(s.transition(e));
+    carried[twin] = conj(carried[e]);
   });
   return carried;
 }
@@ -158,10 +156,8 @@ std::vector<Vec2> at_corners(const Surface& s, const std::vector<Vec2>& carried,
   for (uint32_t f = 0; f < s.face_count(); ++f) {
     for (const uint32_t v : s.face(f)) ++faces[v];
   }
-  pool.for_blocks(corners.size(), kMeshGrain, [&](size_t, size_t begin, size_t end) {
-    for (auto corner = static_cast<HalfEdge>(begin); corner < end; ++corner) {
-      corners[corner] = at_corner(s, carried, lines, faces, corner);
-    }
+  pool.for_each(corners.size(), kMeshGrain, [&](HalfEdge corner) {
+    corners[corner] = at_corner(s, carried, lines, faces, corner);
   });
   return corners;
 }

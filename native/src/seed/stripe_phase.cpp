@@ -155,7 +155,7 @@ class StripePhase::Relaxation {
   /// From pairs to their rows.
   void carry_to(const Pairs<Mirroring>& pairs) {
     Table<Vec2> finer(pairs.of.size());
-    for_all(finer.size(), [&](uint32_t i) { finer[i] = pairs.carry[i].of(values_[pairs.of[i]]); });
+    pool_.for_each(finer.size(), kMeshGrain, [&](uint32_t i) { finer[i] = pairs.carry[i].of(values_[pairs.of[i]]); });
     values_ = std::move(finer);
   }
 
@@ -165,13 +165,6 @@ class StripePhase::Relaxation {
     double weight;  // half of a cotangent
     Vec2 turn;      // the unit number whose angle the rise is
   };
-
-  template <class Body>
-  void for_all(size_t count, const Body& body) {
-    pool_.for_blocks(count, kMeshGrain, [&](size_t, size_t begin, size_t end) {
-      for (auto i = static_cast<uint32_t>(begin); i < end; ++i) body(i);
-    });
-  }
 
   const StripeDistances& distances(uint32_t face) const { return distances_[s_.component(mesh_.origin(face))]; }
   SurfacePoint point(HalfEdge corner) const { return {mesh_.origin(mesh_.face(corner)), mesh_.at(corner)}; }
@@ -184,7 +177,7 @@ class StripePhase::Relaxation {
   /// Vertices choose a sign of the field, in one of their faces, and take it round to the others.
   void find_signs() {
     sign_.assign(mesh_.half_edge_count(), 1);
-    for_all(mesh_.vertex_count(), [&](uint32_t v) {
+    pool_.for_each(mesh_.vertex_count(), kMeshGrain, [&](uint32_t v) {
       HalfEdge last = kNone;
       mesh_.each_leaving(v, [&](HalfEdge h) {
         if (last != kNone) {
@@ -206,7 +199,7 @@ class StripePhase::Relaxation {
     phase_.directed_.assign(mesh_.face_count(), 0);
     side_.assign(mesh_.half_edge_count(), 1);
     steps_.resize(mesh_.half_edge_count());
-    for_all(mesh_.face_count(), [&](uint32_t f) {
+    pool_.for_each(mesh_.face_count(), kMeshGrain, [&](uint32_t f) {
       const Vec2 middle = line_of_face(f);
       bool directed = norm(middle) > kLeastStrength;
       for (const HalfEdge corner : mesh_.corners(f)) {
@@ -299,7 +292,7 @@ class StripePhase::Relaxation {
 
   void find_crossings() {
     phase_.crossing_.assign(mesh_.half_edge_count() / 2, -1);
-    for_all(mesh_.half_edge_count() / 2, [&](uint32_t edge) {
+    pool_.for_each(mesh_.half_edge_count() / 2, kMeshGrain, [&](uint32_t edge) {
       const HalfEdge low = 2 * edge;
       HalfEdge h = low;
       const auto bad = [&] { return mesh_.face(h) == kNone || !phase_.directed_[mesh_.face(h)]; };
