@@ -3,7 +3,9 @@
 // A short path between two nodes round what lies straight between them.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "geodesic/geodesic_path.h"
 #include "seed/line_network.h"
@@ -17,15 +19,20 @@ namespace meander {
 std::optional<PathShape> bent_path(const LineNetwork& network, uint32_t from, uint32_t to, PathShortener& shortener,
                                    Path& path);
 
-/// A path from one node to another in two straight legs.
+/// A path from one node to another in straight legs: one more than the places between.
 struct Bend {
-  SurfacePoint place;
-  Path to, on;                   ///< it, and from it
-  PathShape shape_to, shape_on;
+  struct Leg {
+    Path path;
+    PathShape shape;
+  };
+  std::vector<SurfacePoint> places;  ///< one or two
+  std::vector<Leg> legs;
 };
 
-/// The same by way of that place, where both legs are to be short and clear of boundaries and guides, so that there is
-/// room on both sides of them; nothing where there is no such path. A taut one would lie on the corner.
-std::optional<Bend> bend_between(const LineNetwork& network, uint32_t from, uint32_t to, PathShortener& shortener);
+/// The same by way of places that are as far to one side, where all legs are to be short and clear of boundaries and
+/// guides, so that there is room on both sides of them: a taut path would lie on the corner. Nothing where there is no
+/// such path. `may_be` is asked with the directions in which one leaves the one node and arrives at the other.
+std::optional<Bend> bend_between(const LineNetwork& network, uint32_t from, uint32_t to, PathShortener& shortener,
+                                 const std::function<bool(Vec2 leaving, Vec2 arriving)>& may_be);
 
 }  // namespace meander

@@ -11,44 +11,10 @@
 #include "base/variation.h"
 #include "geodesic/chart.h"
 #include "seed/bent_path.h"
+#include "seed/link_rules.h"
 
 namespace meander {
 namespace {
-
-/// What links may be like. Lengths are in r, angles cosines with the line.
-struct LinkRules {
-  double longest;     ///< a link
-  double ahead;       ///< at a tip, a link deviates from straight ahead by no more than this,
-  double sideways;    ///< and elsewhere from a right angle
-  size_t from_tip;    ///< nodes between a link that leaves sideways and a tip, at least
-};
-
-/// Links that leave by about 50 degrees from straight ahead or sideways, and, for trees that none of them joins,
-/// others.
-constexpr LinkRules kUsual{6.5, 0.5, 0.6, 2}, kLast{12, 0, 0.92, 1};
-
-/// The first ones keep this distance from third lines, in r.
-constexpr double kClear = 0.9;
-
-/// And all of them this one from ends and fixed nodes of trunks.
-constexpr double kFromHeld = 1.5;
-
-/// What a search counts for, in pieces of work.
-constexpr size_t kSearched = 64;
-
-/// A tip that is joined saves a hairpin, which is worth this length, in r.
-constexpr double kTipWorth = 1.5;
-
-/// A link far from tips parts long stretches: this share of its distance from the nearest tip, of kFarFromTip r at
-/// most, counts as length.
-constexpr double kFromTip = 0.15, kFarFromTip = 20;
-
-/// Variations of a curve join lines otherwise: what a link costs is less by up to this, in r. Tips of rows are
-/// joined on either side then, and few links are longer.
-constexpr double kVaried = 2;
-
-/// Two links on one side of a line keep this distance, in r.
-constexpr double kApart = 2;
 
 /// How a link leaves a line.
 enum class Exit : uint8_t { kNone, kTip, kLeft, kRight };
@@ -215,7 +181,8 @@ class Joiner {
     Chart chart = Chart::at(a.point, a.place);
     if (!chart.advance_to(s_, b.point, b.place, kUsual.longest * a.radius)) return;
     const double length = norm(chart.place);
-    if (!(length > 0) || length > kUsual.longest * a.radius || network_.passes_by(c.from, line_of(c.to), chart.place, kClear)) return;
+    if (!(length > 0) || length > kUsual.longest * a.radius) return;
+    if (network_.passes_by(c.from, line_of(c.to), chart.place, kClear)) return;
     Path path;
     trace_geodesic(s_, a.point, chart.place, path);
     if (const auto shape = shortener_.adopt(a.point, b.point, path)) link(kUsual, c, std::move(path), *shape);
@@ -286,36 +253,50 @@ class Joiner {
     return any;
   }
 
-  /// Leads the line on from its tip to a bend, and links it there, if that may be; whether it has.
+  /// Leads the line on from its tip by way of a bend, and links it there, if that may be; whether it has.
   bool link_by_bend(const Candidate& c) {
     if (is_used(c.from, Exit::kTip)) return false;
-    auto bend = bend_between(network_, c.from, c.to, shortener_);
-    if (!bend || exit_of(kLast, c.from, bend->shape_to.leaving) != Exit::kTip) return false;
-    if (network_.touches(c.from, kNone, bend->place, bend->to)) return false;
-    const LineNetwork::Node here = network_.nodes()[c.from];
-    std::vector<uint32_t>& nodes = lines_[here.line].nodes;
-    const bool at_end = c.from == nodes.back();
-    const double sign = at_end ? 1 : -1, step = bend->shape_to.length / here.radius;
+    auto bend = bend_between(network_, c.from, c.to, shortener_, [&](Vec2 leaving, Vec2 arriving) {
+      return exit_of(kLast, c.from, leaving) == Exit::kTip && exit_of(kLast, c.to, -arriving) != Exit::kNone;
+    });
+    if (!bend) return false;
+    const uint32_t line = line_of(c.from);
+    const std::vector<uint32_t> before = lines_[line].nodes;
+    const Vec2 tangent = tangent_[c.from];
     const LineNetwork::Mark mark = network_.mark();
-    const uint32_t node = network_.add_node(network_.make_node(bend->place, here.line, here.arc + sign * step));
-    network_.add_edge(c.from, node, std::move(bend->to), bend->shape_to);
-    const std::vector<uint32_t> before = nodes;
+    uint32_t tip = c.from;
+    bool clear = true;
+    for (size_t k = 0; k < bend->places.size() && clear; ++k) {
+      clear = !network_.touches(tip, kNone, bend->places[k], bend->legs[k].path);
+      if (clear) tip = go_on(tip, bend->places[k], std::move(bend->legs[k]));
+    }
+    Bend::Leg& last = bend->legs.back();
+    if (clear && link(kLast, {c.cost, tip, c.to}, std::move(last.path), last.shape)) return true;
+    network_.take_back(mark);
+    lines_[line].nodes = before;
+    index_.resize(mark.nodes);
+    tangent_.resize(mark.nodes);
+    held_.resize(mark.nodes);
+    tangent_[c.from] = tangent;
+    number(line);
+    return false;
+  }
+
+  /// Leads a line on from its tip; the next one.
+  uint32_t go_on(uint32_t tip, const SurfacePoint& to, Bend::Leg leg) {
+    const LineNetwork::Node here = network_.nodes()[tip];
+    std::vector<uint32_t>& nodes = lines_[here.line].nodes;
+    const bool at_end = tip == nodes.back();
+    const double sign = at_end ? 1 : -1, step = leg.shape.length / here.radius;
+    const uint32_t node = network_.add_node(network_.make_node(to, here.line, here.arc + sign * step));
+    network_.add_edge(tip, node, std::move(leg.path), leg.shape);
     nodes.insert(at_end ? nodes.end() : nodes.begin(), node);
+    tangent_[tip] = unit(tangent_[tip] + sign * leg.shape.leaving);
     index_.push_back(kNone);
-    tangent_.push_back(sign * unit(bend->shape_to.arriving));
+    tangent_.push_back(sign * unit(leg.shape.arriving));
     held_.push_back(0);
     number(here.line);
-    if (link(kLast, {c.cost, node, c.to}, std::move(bend->on), bend->shape_on)) {
-      tangent_[c.from] = unit(tangent_[c.from] + sign * bend->shape_to.leaving);
-      return true;
-    }
-    network_.take_back(mark);
-    nodes = before;
-    index_.pop_back();
-    tangent_.pop_back();
-    held_.pop_back();
-    number(here.line);
-    return false;
+    return node;
   }
 
   /// Notes the places of a line's nodes in it.

@@ -111,8 +111,8 @@ class Prolonging {
     return across(network_, node, direction, width).width() <= width;
   }
 
-  /// Tips of lines, most of which lie where it is no wider than this: those straight ahead, the nearest first, and then the others,
-  /// as a strip may turn back at a corner.
+  /// Tips of lines, most of which lie where it is no wider than this: those straight ahead, the nearest first, and then
+  /// the others, as a strip may turn back at a corner.
   std::vector<uint32_t> tips_in_reach(uint32_t end, Vec2 direction, double width) {
     const LineNetwork::Node& here = network_.nodes()[end];
     std::vector<std::tuple<bool, double, uint32_t>> tips;
