@@ -384,7 +384,7 @@ TEST(Filled, AShortStrokeIsJoinedToTheLinesAhead) {
     EXPECT_EQ(flow.curve().strands.size(), 1u);
     EXPECT_FALSE(flow.curve().strands[0].closed);
     EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
-    EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+    EXPECT_LT(empty_share(flow), 0.001);
   }
 }
 
@@ -402,7 +402,7 @@ TEST(Filled, LinksKeepClearOfAHole) {
           Flow flow(surface, drawn ? &seed : nullptr, {}, checked_settings(options_of(kSpacing), *surface));
           EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
           EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
-          EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+          EXPECT_LT(empty_share(flow), 0.001);
         }
       }
     }
