@@ -37,6 +37,8 @@ OF_DRAWINGS = {
     "leave nothing of the page": "the margins leave nothing of",
     "is no .svg file": "is no .svg file",
     "the scene has no object": "the scene has no object",
+    "a camera sees is one page": "is one page; give a larger --paper",
+    " would overwrite ": "overwrite the scene",
 }
 
 # Tried elsewhere: a part of the sentence, and what test_instances.py quotes of it.
