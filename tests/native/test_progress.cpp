@@ -118,6 +118,20 @@ TEST(Progress, OfARunFollowsItsWork) {
   }
 }
 
+/// Of a long run laying takes a third.
+TEST(Progress, IsToldWhileAFirstCurveIsLaid) {
+  const auto surface = std::make_shared<const Surface>(make_surface(sphere(3)));
+  meander_flow_options options = options_of(0.1);
+  options.start = MEANDER_START_FULL;
+  Flow flow(surface, nullptr, {}, checked_settings(options, *surface));
+  std::vector<double> told{0};
+  ASSERT_TRUE(flow.step(kNeverCancelled, [&](double progress) { told.push_back(progress); }));
+  ASSERT_GT(told.size(), 5u);
+  for (size_t k = 1; k < told.size(); ++k) EXPECT_GT(told[k], told[k - 1]);
+  EXPECT_GT(told.back(), 0.2);
+  EXPECT_LT(told.back(), flow.progress());
+}
+
 TEST(Progress, IsOneAtTheEndOfARunThatThrows) {
   const auto surface = std::make_shared<const Surface>(make_surface(sphere(2)));
   Flow flow(surface, nullptr, {}, checked_settings(options_of(0.3), *surface));

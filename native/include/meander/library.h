@@ -147,9 +147,10 @@ MEANDER_API void meander_context_reset(meander_context* context);
 /* How far the present run of a flow is, as a share of the expected work: in [0, 1], never falling
  * during one run, 1 when the run has ended for whatever reason. It is an estimate: while the curve grows
  * it follows the length of the curve towards the length that is expected to fill the surface, and then
- * the iterations. Updated once an iteration, by meander_flow_run, by a started run and by
- * meander_flow_step, whose steps are one run until a reset; 0 before the first run, after a reset, and for
- * NULL. Also how far a search for gaps is, while it lasts. Any thread. */
+ * the iterations. Updated once an iteration, and after each step of laying a first curve, by
+ * meander_flow_run, by a started run and by meander_flow_step, whose steps are one run until a reset;
+ * 0 before the first run, after a reset, and for NULL. Also how far a search for gaps is, while it
+ * lasts. Any thread. */
 MEANDER_API double meander_context_progress(const meander_context* context);
 
 /* What the present run of a flow is about. */
@@ -161,8 +162,8 @@ enum {
   MEANDER_PHASE_POLISH = 3           /* it becomes even, and comes to rest */
 };
 
-/* The phase that the last iteration of the present run has left the flow in. Updated with the
- * progress; MEANDER_PHASE_NONE before the first run, after a reset, and for NULL. Without a polish, as
+/* The phase that the last iteration of the present run has left the flow in; growth while a first curve
+ * is laid. Updated with the progress; MEANDER_PHASE_NONE before the first run, after a reset, and for NULL. Without a polish, as
  * in the preset paper, all of a run is growth. Any thread. */
 MEANDER_API meander_phase meander_context_phase(const meander_context* context);
 

@@ -91,12 +91,15 @@ void meander_flow_destroy(meander_flow* flow) { delete flow; }
 meander_status meander_flow_step(meander_flow* flow, meander_context* context, meander_error* error) {
   return guard(error, [&] {
     require_idle(flow);
-    if (!flow->flow->step(cancel_of(context))) {
+    const auto tell = [&](double share) {
+      if (!context) return;
+      RunControl& control = *context->control;
+      control.tell(*flow->flow, std::max(control.progress.load(), share));
+    };
+    if (!flow->flow->step(cancel_of(context), tell)) {
       throw Failure(FailureKind::kCancelled, "The step was cancelled.");
     }
-    if (!context) return;
-    RunControl& control = *context->control;
-    control.tell(*flow->flow, std::max(control.progress.load(), flow->flow->progress()));
+    tell(flow->flow->progress());
   });
 }
 

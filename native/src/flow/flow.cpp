@@ -62,10 +62,10 @@ StopReason Flow::stop_reason() const {
   return StopReason::kRunning;
 }
 
-bool Flow::step(const CancelToken& cancel) {
+bool Flow::step(const CancelToken& cancel, const Tell& tell) {
   ThreadPool pool = pool_.with(cancel);
   try {
-    iterate(pool);
+    iterate(pool, tell);
     record_.cancelled = false;
   } catch (const Failure& failure) {
     if (failure.kind != FailureKind::kCancelled) throw;
@@ -74,31 +74,31 @@ bool Flow::step(const CancelToken& cancel) {
   return !record_.cancelled;
 }
 
-StopReason Flow::run(const CancelToken& cancel, const std::function<void(double)>& progress) {
+StopReason Flow::run(const CancelToken& cancel, const Tell& tell) {
   record_.cancelled = false;
   double shown = 0;
+  const auto show = [&](double share) { tell(shown = std::max(shown, share)); };
   try {
-    while (stop_reason() == StopReason::kRunning && step(cancel)) {
-      shown = std::max(shown, this->progress());
-      progress(shown);
-    }
+    while (stop_reason() == StopReason::kRunning && step(cancel, show)) show(progress());
   } catch (...) {
-    progress(1);
+    tell(1);
     throw;
   }
   work_.give_back();
-  progress(1);
+  tell(1);
   return stop_reason();
 }
 
 /// One iteration of section 3.
-void Flow::iterate(ThreadPool& pool) {
+void Flow::iterate(ThreadPool& pool, const Tell& tell) {
   Stopwatch total;
   update_metric(state_, pool);
 
   // From the curve as it is to the next one beside it.
   Iteration iteration(state_, plan(), work_, pool);
-  iteration.lay(drawn_);
+  iteration.lay(drawn_, [&](double laid) {
+    if (tell) tell(progress_with(laid));
+  });
   iteration.measure();
   iteration.solve();
   iteration.move();
@@ -125,11 +125,14 @@ void Flow::note(IterationFigures figures, const CurveState& after, ThreadPool& p
   }
 }
 
-double Flow::progress() const {
+double Flow::progress() const { return progress_with(0); }
+
+double Flow::progress_with(double laid) const {
   ProgressFigures figures;
   figures.phase = convergence_.phase();
   figures.iterations_in_phase = convergence_.iterations_in_phase();
-  figures.full = convergence_.began_full();
+  figures.full = convergence_.began_full() || figures.phase == Phase::kStarting;
+  figures.laid = laid;
   figures.length = state_.curve.growing_length();
   figures.expected_length = state_.domain.expected_length;
   figures.iterations = static_cast<uint32_t>(record_.iterations());

@@ -3,12 +3,12 @@
 // The flow: one iteration after another until the curve fills the surface (section 3).
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "base/cancel_token.h"
+#include "base/tell.h"
 #include "base/thread_pool.h"
 #include "flow/convergence.h"
 #include "flow/flow_state.h"
@@ -29,15 +29,16 @@ class Flow {
   /// The lines that alignment_weight refers to; before the first iteration.
   void set_field(LineField field);
 
-  /// One iteration; false, with everything as before, where `cancel` has stopped it.
-  bool step(const CancelToken& cancel);
+  /// One iteration; false, with everything as before, where `cancel` has stopped it. `tell` hears on the way how far
+  /// the curve has come, where a first one is laid.
+  bool step(const CancelToken& cancel, const Tell& tell = {});
 
   /// How far the curve has come, see progress.h.
   double progress() const;
 
-  /// Steps until one of the reasons holds. `progress` is told how far the curve has come, see progress.h, after each
-  /// step, and 1 at the end, also where a step throws.
-  StopReason run(const CancelToken& cancel, const std::function<void(double)>& progress);
+  /// Steps until one of the reasons holds. `tell` hears how far the curve has come, see progress.h, after each step and
+  /// while a first curve is laid, and 1 at the end, also where a step throws.
+  StopReason run(const CancelToken& cancel, const Tell& tell);
 
   /// Moves the surface: `vertices` are its own, as many as before; `map` names the caller's in errors.
   /// Nodes stay on their faces where they are, segments become straight again, and lengths mean the same
@@ -110,7 +111,8 @@ class Flow {
     return plan_iteration(state_.settings, convergence_.phase(), convergence_.iterations_in_phase(),
                           convergence_.began_full());
   }
-  void iterate(ThreadPool& pool);
+  void iterate(ThreadPool& pool, const Tell& tell);
+  double progress_with(double laid) const;
   void note(IterationFigures figures, const CurveState& after, ThreadPool& pool);
   void measure_again(ThreadPool& pool);
   /// Those of the last medial axis become radii(), once nothing can fail any more.

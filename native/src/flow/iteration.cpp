@@ -40,9 +40,9 @@ void find_medial_axis(const FlowState& state, const AtRest& known, const MedialP
   find_medial_state(scene, known, state.nodes.radii, pool, medial);
 }
 
-void Iteration::lay(size_t drawn) {
-  if (plan_.phase == Phase::kStarting) lay_in_empty(drawn);
-  if (plan_.phase == Phase::kLayingRest) lay_in_empty(given_.curve.strands.size());
+void Iteration::lay(size_t drawn, const Tell& tell) {
+  if (plan_.phase == Phase::kStarting) lay_in_empty(drawn, tell);
+  if (plan_.phase == Phase::kLayingRest) lay_in_empty(given_.curve.strands.size(), {});
 }
 
 /// What is left beside strands is as wide as it happens to be: streamlines begin beside them. So they do in what is
@@ -53,12 +53,12 @@ StartLines Iteration::lines_to_lay() const {
   return domain.asked_radius.varies() || (whole && !domain.narrow) ? StartLines::kPhase : StartLines::kStreamlines;
 }
 
-void Iteration::lay_in_empty(size_t trunks) {
+void Iteration::lay_in_empty(size_t trunks, const Tell& tell) {
   const Domain& domain = given_.domain;
   const Curve first = with_short_segments();
   FullStart laid = full_start(*domain.surface, first, trunks, domain.radius, domain.directions,
                               domain.patches.get(), given_.settings.boundary_distance, pool_, lines_to_lay(),
-                              given_.settings.variation, domain.rest);
+                              given_.settings.variation, domain.rest, tell);
   figures_.laid = laid.laid_any();
   report_ = given_.start;
   if (plan_.phase == Phase::kStarting) {

@@ -55,8 +55,8 @@ class Iteration {
 
   /// In the phases kStarting and kLayingRest: lays curves in what is empty. In the first the strands that were drawn,
   /// the first `drawn` ones, are left on both sides, and loops are replaced; in the other all strands are left so.
-  /// Where nothing can be laid, the curve stays.
-  void lay(size_t drawn);
+  /// Where nothing can be laid, the curve stays. `tell` hears how much is laid.
+  void lay(size_t drawn, const Tell& tell);
   /// Finds the medial axis of the curve as it is (3.2.2).
   void measure();
   /// Builds the quadratic model of the energy (3.2), and finds the step to its minimum (eq. 10).
@@ -80,7 +80,7 @@ class Iteration {
 
  private:
   StartLines lines_to_lay() const;
-  void lay_in_empty(size_t trunks);
+  void lay_in_empty(size_t trunks, const Tell& tell);
   Curve with_short_segments();
   const FlowState& before() const { return laid_ ? *laid_ : given_; }
 

@@ -50,7 +50,7 @@ double share_with_polish(const FlowSettings& settings, const ProgressFigures& fi
   const double age = figures.iterations_in_phase;
   double done = kGrowthWork;
   switch (figures.phase) {
-    case Phase::kStarting:
+    case Phase::kStarting: done *= figures.laid; break;
     case Phase::kGrowing:
     case Phase::kLoosening:
     case Phase::kLayingRest: done *= share_of_growth(figures.length / figures.expected_length); break;

@@ -16,10 +16,11 @@ struct ProgressFigures {
   uint32_t iterations = 0;     ///< of this run, which count for the limit
   uint32_t quiet_iterations = 0;  ///< in a row, as the paper's rule counts them
   bool full = false;              ///< the curve began full
+  double laid = 0;                ///< of a first curve that is being laid, from 0 to 1
 };
 
 /// About the share of the work that is done, from 0 to 1, and 1 only where the limit is reached: in growth by the
-/// length, then by the iterations of each phase, as far as their number is known. Where it is not, the curve comes
+/// length, or by what is laid, then by the iterations of each phase, as far as their number is known. Where it is not, the curve comes
 /// ever nearer to the end of the phase, so that it never stands still. A run that its iteration limit will end is no
 /// less far than that share of its iterations. It rises within a run but for a curve that grows shorter for a while;
 /// whoever shows it keeps the most.

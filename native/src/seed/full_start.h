@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/tell.h"
 #include "curve/curve.h"
 #include "geodesic/surface_patches.h"
 #include "mesh/line_field.h"
@@ -54,10 +55,12 @@ struct FullStart {
 /// `variation`          which of the curves of the same settings: a smooth field is turned where no boundary holds it,
 ///                      lines begin elsewhere, and they are joined otherwise
 /// `rest`               how far apart strands are to come, in r, for even rows, which stay where they are laid
+/// `tell`               hears about which share of the time has passed, after each step
 ///
 /// Throws Failure(FailureKind::kCancelled) where the watch of the pool says so.
 FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
                      const LineField& field, const SurfacePatches* patches, double boundary_distance,
-                     ThreadPool& pool, StartLines lines = StartLines::kPhase, uint32_t variation = 0, double rest = 1);
+                     ThreadPool& pool, StartLines lines = StartLines::kPhase, uint32_t variation = 0, double rest = 1,
+                     const Tell& tell = {});
 
 }  // namespace meander

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How whoever asked for a computation hears how far it has come.
+#pragma once
+
+#include <functional>
+
+namespace meander {
+
+/// Is told a share of the work that is done, from 0 to 1 and never falling, by the thread that was asked for it. Empty:
+/// nobody listens. It must not throw.
+using Tell = std::function<void(double)>;
+
+}  // namespace meander
