@@ -58,32 +58,56 @@ struct Couplings {
   }
   void end_row() { start.push_back(static_cast<uint32_t>(neighbour.size())); }
 
-  /// `count` rows, made in blocks: fill(begin, end, rows) appends those from begin on to others.
+  /// `count` rows, made in blocks: fill(begin, end, rows) appends those from begin on to others. Some blocks at a time,
+  /// so that little stands twice.
   template <class Fill>
   static Couplings in_blocks(size_t count, ThreadPool& pool, const Fill& fill) {
-    std::vector<Couplings> blocks(ThreadPool::block_count(count, kMeshGrain));
-    pool.for_blocks(count, kMeshGrain, [&](size_t block, size_t begin, size_t end) {
-      fill(static_cast<uint32_t>(begin), static_cast<uint32_t>(end), blocks[block]);
-    });
-    if (blocks.size() == 1) return std::move(blocks[0]);
+    constexpr size_t kAtATime = 16 * kMeshGrain;
     Couplings all;
+    for (size_t first = 0; first < count; first += kAtATime) {
+      const size_t rows = std::min(kAtATime, count - first);
+      std::vector<Couplings> blocks(ThreadPool::block_count(rows, kMeshGrain));
+      pool.for_blocks(rows, kMeshGrain, [&](size_t block, size_t begin, size_t end) {
+        fill(static_cast<uint32_t>(first + begin), static_cast<uint32_t>(first + end), blocks[block]);
+      });
+      if (first == 0 && rows == count && blocks.size() == 1) return std::move(blocks[0]);
+      if (first == 0) all.reserve_as(blocks, rows, count);
+      all.append(blocks, rows, pool);
+    }
+    return all;
+  }
+
+ private:
+  /// Room for `count` rows with about as many entries each as the first ones have, `rows` in these blocks.
+  void reserve_as(const std::vector<Couplings>& blocks, size_t rows, size_t count) {
+    constexpr double kMore = 1.05;
+    double entries = 0;
+    for (const Couplings& block : blocks) entries += block.start.back();
+    if (rows < count) entries *= kMore * static_cast<double>(count) / static_cast<double>(rows);
+    start.reserve(count + 1);
+    neighbour.reserve(static_cast<size_t>(entries));
+    weight.reserve(static_cast<size_t>(entries));
+  }
+
+  /// `rows` rows in blocks, which are left empty.
+  void append(std::vector<Couplings>& blocks, size_t rows, ThreadPool& pool) {
+    const size_t before = size();
     std::vector<uint32_t> first;  // of the entries of each block
-    uint32_t entries = 0;
+    uint32_t entries = start.back();
     for (const Couplings& block : blocks) {
       first.push_back(entries);
       entries += block.start.back();
     }
-    all.start.resize(count + 1);
-    all.neighbour.resize(entries);
-    all.weight.resize(entries);
-    pool.for_blocks(count, kMeshGrain, [&](size_t k, size_t begin, size_t) {
+    start.resize(before + rows + 1);
+    neighbour.resize(entries);
+    weight.resize(entries);
+    pool.for_blocks(rows, kMeshGrain, [&](size_t k, size_t begin, size_t) {
       Couplings& block = blocks[k];
-      for (size_t i = 1; i < block.start.size(); ++i) all.start[begin + i] = first[k] + block.start[i];
-      std::copy(block.neighbour.begin(), block.neighbour.end(), all.neighbour.begin() + first[k]);
-      std::copy(block.weight.begin(), block.weight.end(), all.weight.begin() + first[k]);
+      for (size_t i = 1; i < block.start.size(); ++i) start[before + begin + i] = first[k] + block.start[i];
+      std::copy(block.neighbour.begin(), block.neighbour.end(), neighbour.begin() + first[k]);
+      std::copy(block.weight.begin(), block.weight.end(), weight.begin() + first[k]);
       block = {};
     });
-    return all;
   }
 };
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/elementary.h"
+#include "base/large_pages.h"
 #include "base/variation.h"
 #include "mesh/even_lines.h"
 #include "mesh/line_relaxation.h"
@@ -241,6 +242,9 @@ LaidLines lines_of_phase(const Surface& surface, const RadiusField& radius, cons
   const Layer layer{surface, radius, distances, spacing, variation, pool, poll};
   LaidLines lines = layer.lines_along(field.lines);
   if (field.turns) layer.turn(field.lines, lines);
+  size_t points = 0;
+  for (const std::vector<SurfacePoint>& line : lines) points += line.size();
+  if (LargePages<SurfacePoint>::is_large(points)) PageStore::trim();
   return lines;
 }
 
