@@ -163,8 +163,8 @@ enum {
 };
 
 /* The phase that the last iteration of the present run has left the flow in; growth while a first curve
- * is laid. Updated with the progress; MEANDER_PHASE_NONE before the first run, after a reset, and for NULL. Without a polish, as
- * in the preset paper, all of a run is growth. Any thread. */
+ * is laid. Updated with the progress; MEANDER_PHASE_NONE before the first run, after a reset, and for
+ * NULL. Without a polish, as in the preset paper, all of a run is growth. Any thread. */
 MEANDER_API meander_phase meander_context_phase(const meander_context* context);
 
 #ifdef __cplusplus

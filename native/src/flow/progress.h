@@ -19,11 +19,11 @@ struct ProgressFigures {
   double laid = 0;                ///< of a first curve that is being laid, from 0 to 1
 };
 
-/// About the share of the work that is done, from 0 to 1, and 1 only where the limit is reached: in growth by the
-/// length, or by what is laid, then by the iterations of each phase, as far as their number is known. Where it is not, the curve comes
-/// ever nearer to the end of the phase, so that it never stands still. A run that its iteration limit will end is no
-/// less far than that share of its iterations. It rises within a run but for a curve that grows shorter for a while;
-/// whoever shows it keeps the most.
+/// About the share of the work that is done, from 0 to 1, and 1 only where the limit is reached: by what is laid of a
+/// first curve, in growth by the length, then by the iterations of each phase, as far as their number is known. Where
+/// it is not, the curve comes ever nearer to the end of the phase, so that it never stands still. A run that its
+/// iteration limit will end is no less far than that share of its iterations. It rises within a run but for a curve
+/// that grows shorter for a while; whoever shows it keeps the most.
 double progress_of(const FlowSettings& settings, const ProgressFigures& figures);
 
 }  // namespace meander
