@@ -146,7 +146,7 @@ def test_only_wide_gaps_are_named():
     figures = result.meander.figures
     shown = texts_of(panels.MEANDER_PT_figures)
     assert shown[shown.index("Gaps") + 1] == f"{figures.wide_gaps:,}"
-    assert figures.wide_gaps == sum(gap.size > 1.5 for gap in figures.gaps)
+    assert figures.wide_gaps == sum(gap.size > 1.6 for gap in figures.gaps)
     assert "Show Gaps" in shown
     activate(surface)
     assert texts_of(panels.MEANDER_PT_figures) == shown, "a surface shows what its curve does"

@@ -27,10 +27,12 @@ def word(letters: list[list[tuple[int, int]]]) -> geometry.Mesh:
     return geometry.mesh([(0.1 * i, 0.1 * j, 0.0) for i, j in numbers], faces)
 
 
-def gaps_of(mesh: geometry.Mesh) -> int:
+def gaps_of(mesh: geometry.Mesh, start: core.Start = core.Start.GROW) -> int:
     """As Last Run counts them."""
+    options = core.default_options("even")
+    options.start = start
     with core.Surface(mesh.vertices, mesh.faces) as surface:
-        with core.Flow(surface, core.default_options("even")) as flow:
+        with core.Flow(surface, options) as flow:
             flow.run()
             return int(np.sum(flow.gaps().sizes > GAP_THAT_MATTERS))
 
@@ -38,6 +40,12 @@ def gaps_of(mesh: geometry.Mesh) -> int:
 @pytest.mark.parametrize("letters", [[L, E, T], [T, E, L, L, E, T, E]], ids=len)
 def test_a_word_is_filled_without_gaps(letters: list) -> None:
     assert gaps_of(word(letters)) <= len(letters) // 2
+
+
+@pytest.mark.parametrize("letter", [E, L, T], ids="ELT")
+def test_turns_along_the_boundary_of_a_wide_letter_are_no_gaps(letter: list) -> None:
+    """Five to nine of its places in which strands turn are farther than 1.5 r from the line."""
+    assert gaps_of(word([letter]), core.Start.FULL) == 0
 
 
 def test_what_is_no_stem_and_what_only_has_seams_has_a_thirtieth_of_the_root_of_its_area() -> None:

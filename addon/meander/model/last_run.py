@@ -13,9 +13,10 @@ ENDED = {
 }
 # Of a surface that was smoothed where its spacing is measured: as short as a panel is wide.
 ROUGH = "Rough surface: bumps smoothed, see Roughness"
-# Gaps that matter are farther from the curve than this, in half spacings. Smaller ones are what is
-# left where strands turn: they are not seen, and no run is without them.
-GAP_THAT_MATTERS = 1.5
+# Gaps that matter are farther from the curve than this, in half spacings: what the library counts
+# as empty. Smaller ones are what is left where strands turn: they are not seen, and no run is
+# without them. Two hairpins side by side leave 1.5, and more where they turn along a boundary.
+GAP_THAT_MATTERS = 1.6
 
 
 def lines(strands: int, closed: int, guides: int = 0) -> str:
