@@ -91,6 +91,40 @@ def test_what_is_narrower_than_a_spacing_counts_by_itself() -> None:
         assert gaps.empty_share > 0.8 and gaps.narrow_share < 0.01
 
 
+def test_the_points_of_sharp_corners_are_narrow() -> None:
+    """A line half a spacing from both sides of a corner of 60 degrees turns a spacing from its
+    point, where the surface is narrower than one; in a corner of 90 degrees it comes nearer."""
+    radius, height = 0.05, 0.5 * np.sqrt(3.0)
+    corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, height, 0.0]])
+    mesh = corners, np.array([[0, 1, 2]], dtype=np.uint32)
+    options = core.default_options()
+    options.radius = radius
+    with core.Surface(*mesh) as surface:
+        flow = core.Flow(surface, options)
+    with flow:
+        assert flow.run() == "converged"
+        gaps, curve = flow.gaps(), flow.polylines()
+    # Samples of a corner, and which of them are farther than 1.6 r from the line.
+    step = 0.001
+    x, y = np.meshgrid(np.arange(0.5 * step, 0.04, step), np.arange(0.5 * step, 0.04, step))
+    samples = np.column_stack([x.ravel(), y.ravel()])
+    samples = samples[samples[:, 1] < np.sqrt(3.0) * samples[:, 0]]
+    far = 0.0
+    ends = np.roll(curve.positions, -1, axis=0)
+    line = np.vstack([curve.positions + k / 20 * (ends - curve.positions) for k in range(20)])
+    for corner, inward in zip(corners, (0.0, 2.0 * np.pi / 3.0, 4.0 * np.pi / 3.0)):
+        turn = np.array([[np.cos(inward), np.sin(inward)], [-np.sin(inward), np.cos(inward)]])
+        places = samples @ turn + corner[:2]
+        near = line[np.linalg.norm(line - corner, axis=1) < 0.2, :2]
+        distance = np.linalg.norm(places[:, None] - near, axis=2).min(axis=1)
+        far += step**2 * np.count_nonzero(distance > 1.6 * radius)
+    assert far / (0.5 * height) > 0.0005
+    assert gaps.empty_share + gaps.narrow_share == pytest.approx(far / (0.5 * height), rel=0.3)
+    assert gaps.narrow_share > 2 * gaps.empty_share
+    at_corner = np.linalg.norm(gaps.positions[:, None] - corners, axis=2).min(axis=1) < 0.1 * radius
+    assert at_corner.sum() >= 2 and np.all(gaps.narrow[at_corner])
+
+
 def test_a_filled_surface_is_not_empty() -> None:
     mesh = geometry.icosphere(3)
     options = core.default_options()

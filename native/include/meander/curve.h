@@ -175,7 +175,8 @@ MEANDER_API meander_status meander_gaps_init(meander_gaps* gaps, size_t struct_s
  *
  * A place is narrow where the part of the surface that is connected to it within 4 local r has an area of
  * less than 2 r times its longest extent: a strip of a lesser width, a tube of a lesser girth, the tip of a
- * corner below 57 degrees.
+ * corner below 57 degrees. So it is where every circle of radius r that lies on the surface has its middle
+ * farther than 1.45 local r from the place: beside the point of a corner well below 90 degrees.
  *
  * least_size  how large a place must be to count, in local r, from 1 to 1e6; 0: 1.2
  * gaps        prepared by meander_gaps_init; receives them

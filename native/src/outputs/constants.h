@@ -54,10 +54,14 @@ inline constexpr double kFarthest = 3;              // r; > 1.6; free
 /// A part of a face that reaches no farther from its middle is empty or not as a whole.
 inline constexpr double kFinestCell = 0.2;          // r; > 0; free
 /// How far is looked from a place whose width is asked for, and how finely. What is no farther than kAsNarrow from the
-/// last place that was asked about counts as as narrow.
+/// last place that was asked about counts as as slender.
 inline constexpr double kLook = 4;                  // r; > 2; free
 inline constexpr double kLookFinest = 0.3;          // r; > 0; free
 inline constexpr double kAsNarrow = 1.5;            // r; >= 0; free
+/// Circles as wide as a spacing have their middles no farther than this from the point of a right angle. What is
+/// farther from all of them lies in a sharper corner. How finely they are looked for.
+inline constexpr double kRightAngle = 1.45;         // r; > 1.414; geometry
+inline constexpr double kCornerFinest = 0.02;       // r; > 0; free
 
 // ---- Figures --------------------------------------------------------------------------------------------------------
 

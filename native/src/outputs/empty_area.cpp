@@ -74,6 +74,34 @@ void visit_cells(const Cell& cell, const Visit& visit) {
   }
 }
 
+/// The faces that are connected to a place within `look` of it, one after the other, until visit(face) is false.
+template <class Visit>
+void visit_faces(const Surface& surface, const SurfacePoint& p, double look, const Visit& visit) {
+  const Vec3 x = position(surface, p);
+  FrontSearch<ReachedNodes> search;
+  search.offer(p.face, 0);
+  while (const auto face = search.next()) {
+    if (!visit(*face)) return;
+    const Triangle& corners = surface.face(*face);
+    for (uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge twin = surface.twin(3 * *face + k);
+      if (twin == kNone || search.done(face_of(twin))) continue;
+      const double d = distance_to_segment(x, surface.position(corners[k]), surface.position(corners[next_corner(k)]));
+      if (d < look) search.offer(face_of(twin), std::max(search.cost(*face), d));
+    }
+  }
+}
+
+/// The edges of a face that are of the boundary.
+template <class Visit>
+void visit_boundary(const Surface& surface, uint32_t face, const Visit& visit) {
+  const Triangle& corners = surface.face(face);
+  for (uint32_t k = 0; k < 3; ++k) {
+    if (surface.twin(3 * face + k) != kNone) continue;
+    visit(surface.position(corners[k]), surface.position(corners[next_corner(k)]));
+  }
+}
+
 /// The distance between two of the points that are about as far apart as any are.
 double extent_of(const std::vector<Vec3>& points, const Vec3& from) {
   const auto farthest = [&](const Vec3& x) {
@@ -97,17 +125,14 @@ EmptyArea& EmptyArea::operator+=(const EmptyArea& other) {
   return *this;
 }
 
-bool is_narrow(const Emptiness& emptiness, const SurfacePoint& p, CancelToken& poll) {
+bool is_slender(const Emptiness& emptiness, const SurfacePoint& p, CancelToken& poll) {
   const Surface& surface = emptiness.surface();
   const Vec3 x = position(surface, p);
   const double r = emptiness.local_radius(p), spacing = 2 * r, look = kLook * r;
   const double enough = spacing * 2 * look;
   double area = 0;
   std::vector<Vec3> places;
-  FrontSearch<ReachedNodes> search;
-  search.offer(p.face, 0);
-  while (const auto next = search.next()) {
-    const uint32_t face = *next;
+  visit_faces(surface, p, look, [&](uint32_t face) {
     visit_cells(Cell(surface, face), [&](const Cell& cell, double reach) {
       poll();
       const Vec3 middle = position(surface, point_at(surface, face, cell.middle()));
@@ -119,28 +144,61 @@ bool is_narrow(const Emptiness& emptiness, const SurfacePoint& p, CancelToken& p
       places.push_back(middle);
       return false;
     });
-    if (area >= enough) return false;
-    const Triangle& corners = surface.face(face);
-    for (uint32_t k = 0; k < 3; ++k) {
-      const HalfEdge twin = surface.twin(3 * face + k);
-      if (twin == kNone || search.done(face_of(twin))) continue;
-      const double d = distance_to_segment(x, surface.position(corners[k]), surface.position(corners[next_corner(k)]));
-      if (d < look) search.offer(face_of(twin), std::max(search.cost(face), d));
-    }
-  }
-  return places.empty() || area < spacing * extent_of(places, x);
+    return area < enough;
+  });
+  return area < enough && (places.empty() || area < spacing * extent_of(places, x));
 }
 
-bool EmptyFaces::narrow_at(const SurfacePoint& place, double r) {
+bool is_in_corner(const Emptiness& emptiness, const SurfacePoint& p, CancelToken& poll) {
+  const Surface& surface = emptiness.surface();
+  const Vec3 x = position(surface, p);
+  const double r = emptiness.local_radius(p), look = kRightAngle * r;
+  bool beside = false;
+  visit_faces(surface, p, r, [&](uint32_t face) {
+    poll();
+    visit_boundary(surface, face, [&](const Vec3& a, const Vec3& b) { beside |= distance_to_segment(x, a, b) < r; });
+    return !beside;
+  });
+  if (!beside) return false;
+  std::vector<uint32_t> faces;
+  std::vector<std::array<Vec3, 2>> boundary;
+  visit_faces(surface, p, look + r, [&](uint32_t face) {
+    poll();
+    faces.push_back(face);
+    visit_boundary(surface, face, [&](const Vec3& a, const Vec3& b) { boundary.push_back({a, b}); });
+    return true;
+  });
+  bool reached = false;
+  for (size_t k = 0; k < faces.size() && !reached; ++k) {
+    visit_cells(Cell(surface, faces[k]), [&](const Cell& cell, double reach) {
+      if (reached) return false;
+      poll(1 + boundary.size());
+      const Vec3 middle = position(surface, point_at(surface, faces[k], cell.middle()));
+      if ((middle - x).norm() - reach > look) return false;
+      double inside = r;
+      for (const auto& [a, b] : boundary) inside = std::min(inside, distance_to_segment(middle, a, b));
+      if (inside + reach < r) return false;
+      reached = reach <= kCornerFinest * r;
+      return !reached;
+    });
+  }
+  return !reached;
+}
+
+bool is_narrow(const Emptiness& emptiness, const SurfacePoint& p, CancelToken& poll) {
+  return is_slender(emptiness, p, poll) || is_in_corner(emptiness, p, poll);
+}
+
+bool EmptyFaces::slender_at(const SurfacePoint& place, double r) {
   const Surface& surface = emptiness_.surface();
   const Vec3 x = position(surface, place);
   const uint32_t component = surface.component(place.face);
   for (const Known& known : known_) {
-    if (known.component == component && (x - known.place).norm() < kAsNarrow * r) return known.narrow;
+    if (known.component == component && (x - known.place).norm() < kAsNarrow * r) return known.slender;
   }
-  const bool narrow = is_narrow(emptiness_, place, poll_);
-  known_[next_++ % known_.size()] = {component, x, narrow};
-  return narrow;
+  const bool slender = is_slender(emptiness_, place, poll_);
+  known_[next_++ % known_.size()] = {component, x, slender};
+  return slender;
 }
 
 void EmptyFaces::add(uint32_t face, double nearer_than) {
@@ -158,7 +216,10 @@ void EmptyFaces::add(uint32_t face, double nearer_than) {
     const double wanted = strip_.wanted_at(position(surface, middle), r) + kEmptySize * r;
     const double unsure = reach <= kFinestCell * r ? 0 : reach;
     const Emptiness::Size size = emptiness_.compare(middle, wanted - unsure, wanted + unsure);
-    if (size == Emptiness::Size::kAbove) (narrow_at(middle, r) ? area_.narrow : area_.wide) += cell.area();
+    if (size == Emptiness::Size::kAbove) {
+      const bool narrow = slender_at(middle, r) || is_in_corner(emptiness_, middle, poll_);
+      (narrow ? area_.narrow : area_.wide) += cell.area();
+    }
     return size == Emptiness::Size::kBetween;
   });
 }

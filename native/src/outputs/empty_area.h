@@ -34,6 +34,14 @@ struct EmptyArea {
 /// What is connected to the place within 4 r of it has an area and a longest extent. The one by the other is the width
 /// of a strip or the girth of a tube, and from 2.2 r in a corner of 90 degrees to 6.3 r in the plane; below 2 r it is
 /// narrow.
+bool is_slender(const Emptiness& emptiness, const SurfacePoint& p, CancelToken& poll);
+
+/// Whether a place lies so deep in a sharp corner of the boundary that no circle as wide as a spacing comes as near to
+/// it as to the point of a right angle: in a corner of 60 degrees up to .55 r from the point, where it is .6 r wide. A
+/// line half a spacing from the boundary turns 2 r from that point.
+bool is_in_corner(const Emptiness& emptiness, const SurfacePoint& p, CancelToken& poll);
+
+/// The one or the other.
 bool is_narrow(const Emptiness& emptiness, const SurfacePoint& p, CancelToken& poll);
 
 /// Adds up how much of faces is empty. Faces near one another should come one after the other.
@@ -48,17 +56,17 @@ class EmptyFaces {
   const EmptyArea& area() const { return area_; }
 
  private:
-  bool narrow_at(const SurfacePoint& place, double r);
+  bool slender_at(const SurfacePoint& place, double r);
 
   const Emptiness& emptiness_;
   EmptyStrip strip_;
   CancelToken poll_;
   EmptyArea area_;
-  // The last places that were asked about: what is near to one of them is as narrow.
+  // The last places that were asked about: what is near to one of them is as slender.
   struct Known {
     uint32_t component = kNone;
     Vec3 place = Vec3::Zero();
-    bool narrow = false;
+    bool slender = false;
   };
   std::array<Known, 16> known_;
   size_t next_ = 0;
