@@ -120,12 +120,14 @@ inline constexpr double kMostStiffness = 10;                // ratio; > 1; "The 
 /// From kUnmeasuredPolish on r follows what strands come to. Where they are off the spacing by more than kCloseEnough
 /// in the median, r makes up for kCorrecting of the rest in each iteration, and for no more than kMostCorrection in
 /// all. With long segments the median is kCoarseSpacing of what it is with short ones: 1.018 to 1.031 on five models.
-/// Where tips are to get round it is to be kBeforeRoundTips of that, as they push strands apart.
+/// Where tips are to get round it is to be kBeforeRoundTips of that, as they push strands apart, and less where these
+/// have grown by themselves, with more tips and larger voids beside them.
 inline constexpr double kCorrecting = 0.2;                  // share of it; 0 to 1; "The spacing that is asked for"
 inline constexpr double kCloseEnough = 0.008;               // share of it; > 0; "The spacing that is asked for"
 inline constexpr double kMostCorrection = 0.05;             // share of r; 0 to 1; "The spacing that is asked for"
 inline constexpr double kCoarseSpacing = 1.02;              // ratio; > 0; above
 inline constexpr double kBeforeRoundTips = 0.99;            // ratio; > 0; "The spacing that is asked for"
+inline constexpr double kBeforeRoundTipsWhereGrown = 0.975;  // ratio; > 0; "The spacing that is asked for"
 
 /// Length weights of the polish stay between these; their offset and gain are tunings.
 inline constexpr double kLeastPolishLength = -1;            // length weight; < 0; free

@@ -28,6 +28,13 @@ double median_spacing(const Curve& curve, const NodeData<Radii>& radii, const Lo
   return *middle;
 }
 
+/// What strands are to come to before their tips get round, as a share of what they are to come to in the end.
+double before_round_tips(const FlowState& state) {
+  if (!state.rounds_tips()) return 1;
+  const bool grown = !state.settings.full_start && state.domain.directions.empty();
+  return grown ? kBeforeRoundTipsWhereGrown : kBeforeRoundTips;
+}
+
 }  // namespace
 
 double next_correction(const IterationPlan& plan, const FlowState& before, const NodeData<Radii>& radii) {
@@ -42,7 +49,7 @@ double next_correction(const IterationPlan& plan, const FlowState& before, const
   const double found = median_spacing(before.curve, radii, before.metric) / domain.rest * now;
   if (!(found > 0)) return now;
   const bool coarse = plan.segment_length > before.settings.segment_length;
-  const double wanted = (coarse ? kCoarseSpacing : 1) * (before.rounds_tips() ? kBeforeRoundTips : 1);
+  const double wanted = (coarse ? kCoarseSpacing : 1) * before_round_tips(before);
   const double usual = before.settings.usual_spacing(!domain.directions.empty()) * wanted;
   const double off = found / usual - 1;
   const double too_far = off - std::clamp(off, -kCloseEnough, kCloseEnough);
