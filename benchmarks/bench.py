@@ -173,6 +173,10 @@ def parsed_arguments() -> argparse.Namespace:
         parser.add_argument(option, action="append", default=[], help="may be given again")
     for option in ("--preset", "--threads", "--models", "--iterations", "--most-nodes"):
         parser.add_argument(option, help="as meander_bench has it")
+    parser.add_argument(
+        "--check", action="store_true",
+        help="of the group scale: write curves as .npz, and look for crossings in the files",
+    )  # fmt: skip
     given = parser.parse_args()
     if len(given.builds) > 2:
         parser.error("one build or two")
@@ -187,7 +191,8 @@ def measure_scale(given: argparse.Namespace) -> None:
     library = next(build.glob("lib/libmeander-*.so")) if build.is_dir() else build
     most = int(given.most_nodes or 1_000_000)
     failed = False
-    for row in scale.rows(library.resolve(), most, given.threads or str(os.cpu_count())):
+    threads = given.threads or str(os.cpu_count())
+    for row in scale.rows(library.resolve(), most, threads, given.check):
         print(json.dumps(row), flush=True)
         failed |= "error" in row
     if failed:

@@ -20,7 +20,11 @@ from pathlib import Path
 
 import numpy as np
 
-COMMAND = Path(__file__).resolve().parents[1] / "addon" / "meander" / "batch.py"
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.append(str(ROOT / "tests" / "sweep"))
+import written_curves  # noqa: E402
+
+COMMAND = ROOT / "addon" / "meander" / "batch.py"
 NODES = (100_000, 300_000, 1_000_000, 3_000_000, 10_000_000)
 # n r^2 / A of a finished curve of n nodes on an area A.
 NODES_PER_AREA = 1.467
@@ -55,11 +59,18 @@ def write_mesh(path: Path) -> float:
     return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
 
 
-def measure(library: Path, mesh: Path, area: float, nodes: int, threads: str) -> dict:
-    """The row of one case."""
+def measure(
+    library: Path, mesh: Path, area: float, nodes: int, threads: str, checked: bool = False
+) -> dict:
+    """The row of one case.
+
+    checked   the curve is written with its faces and weights, and the checker of the sweep, which
+              is part of the build, looks at it
+    """
     row = {"row": "scale", "group": "scale", "case": f"torus_{nodes // 1000}k"}
     row["threads"] = int(threads)
-    output, report = mesh.with_name("curve.obj"), mesh.with_name("report.json")
+    output = mesh.with_name("curve.npz" if checked else "curve.obj")
+    report = mesh.with_name("report.json")
     spacing = 2 * math.sqrt(NODES_PER_AREA * area / nodes)
     options = ["--input", mesh, "--output", output, "--report", report, "--start", "full"]
     options += ["--spacing", spacing, "--threads", threads]
@@ -92,14 +103,17 @@ def measure(library: Path, mesh: Path, area: float, nodes: int, threads: str) ->
     row |= {"stop_reason": found["stop_reason"]}
     row["spacing_median"] = found["spacing"]["median"] / spacing
     row |= {"estimate": found["estimate"]}
+    if checked:
+        found = written_curves.found_in(*torus(), output)
+        row |= {key: found[key] for key in ("points", "crossings", "faults")}
     return row
 
 
-def rows(library: Path, most_nodes: int, threads: str) -> Iterator[dict]:
-    """A row for each number of nodes up to `most_nodes`."""
+def rows(library: Path, most_nodes: int, threads: str, checked: bool) -> Iterator[dict]:
+    """A row for each number of nodes up to `most_nodes`; see measure()."""
     with tempfile.TemporaryDirectory() as folder:
         mesh = Path(folder) / "torus.obj"
         area = write_mesh(mesh)
         for nodes in NODES:
             if nodes <= most_nodes:
-                yield measure(library, mesh, area, nodes, threads)
+                yield measure(library, mesh, area, nodes, threads, checked)

@@ -11,6 +11,8 @@ target_link_libraries(curve_checks PUBLIC meander PRIVATE meander_compile_option
 
 add_executable(sweep_run "${PROJECT_SOURCE_DIR}/tests/sweep/sweep_run.cpp")
 target_link_libraries(sweep_run PRIVATE curve_checks meander_compile_options)
+add_executable(sweep_check "${PROJECT_SOURCE_DIR}/tests/sweep/sweep_check.cpp")
+target_link_libraries(sweep_check PRIVATE curve_checks meander_compile_options)
 
 add_executable(test_curve_checker
   "${PROJECT_SOURCE_DIR}/tests/sweep/test_curve_checker.cpp"

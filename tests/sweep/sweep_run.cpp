@@ -17,12 +17,12 @@
 #include <cstdlib>
 #include <ctime>
 #include <exception>
-#include <fstream>
 #include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "raw_file.h"
 #include "watched_run.h"
 
 namespace meander::sweep {
@@ -34,13 +34,6 @@ struct Input {
   Mesh mesh;
   Lines seed;
 };
-
-template <class T>
-std::vector<T> read(std::ifstream& file, uint64_t count) {
-  std::vector<T> values(count);
-  file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
-  return values;
-}
 
 Input read_input(const char* path) {
   std::ifstream file(path, std::ios::binary);
