@@ -2,7 +2,6 @@
 """Which direction the strands follow: settings on an object, and the panel "Direction"."""
 
 import bpy
-from bpy.props import EnumProperty, PointerProperty, StringProperty
 
 from ..scene.attributes import attribute_names, color_names, vector_names
 from ..scene.curve_reader import has_strands
@@ -10,6 +9,7 @@ from ..scene.linked_settings import owner_of, settings_of
 from ..scene.settings import surface_of
 from .declared import row
 from .registered import registration
+from .setting_properties import EnumProperty, PointerProperty, StringProperty
 from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns
 
 
@@ -34,7 +34,6 @@ class AlignmentSettings:
             ("BOUNDARY", "Boundary", "Parallel to boundaries and holes, and smooth between them"),
         ),
         default="NONE",
-        options=set(),
     )
     alignment_axis: EnumProperty(
         name="Axis",
@@ -46,7 +45,6 @@ class AlignmentSettings:
             ("AUTO", "Auto", "The axis that lies best in the surface"),
         ),
         default="AUTO",
-        options=set(),
     )
     alignment_space: EnumProperty(
         name="Space",
@@ -56,7 +54,6 @@ class AlignmentSettings:
             ("LOCAL", "Object", "It rotates with the object"),
         ),
         default="WORLD",
-        options=set(),
     )
     alignment_curvature: EnumProperty(
         name="Bending",
@@ -66,7 +63,6 @@ class AlignmentSettings:
             ("MAX", "Most", "Around a limb: strands show its shape"),
         ),
         default="MIN",
-        options=set(),
     )
     alignment_strokes: PointerProperty(
         type=bpy.types.Object,
@@ -76,7 +72,6 @@ class AlignmentSettings:
             "surface, give the directions; parts of the mesh without a strand have none"
         ),
         poll=_is_curve,
-        options=set(),
     )
     alignment_uv: EnumProperty(
         name="Lines",
@@ -86,12 +81,10 @@ class AlignmentSettings:
             ("V", "V", "Where U stays the same"),
         ),
         default="U",
-        options=set(),
     )
     alignment_uv_map: StringProperty(
         name="UV Map",
         description="UV map whose lines strands follow. Empty: the active one",
-        options=set(),
     )
     alignment_attribute: StringProperty(
         name="Attribute",
@@ -101,7 +94,6 @@ class AlignmentSettings:
         ),
         search=vector_names,
         search_options={"SUGGESTION"},
-        options=set(),
     )
     alignment_angle: EnumProperty(
         name="Turned By",
@@ -117,24 +109,21 @@ class AlignmentSettings:
             ("IMAGE", "Image", "From 0 to 180 degrees by the brightness, from black to white"),
         ),
         default="NONE",
-        options=set(),
     )
     alignment_angle_group: StringProperty(
-        name="Vertex Group", description="Vertex group of the angle", options=set()
+        name="Vertex Group", description="Vertex group of the angle"
     )
     alignment_angle_attribute: StringProperty(
         name="Attribute",
         description="Attribute of numbers that has the angle in degrees",
         search=attribute_names,
         search_options={"SUGGESTION"},
-        options=set(),
     )
     alignment_angle_color: StringProperty(
         name="Color Attribute",
         description="Color attribute whose brightness is the angle, in scene-linear light",
         search=color_names,
         search_options={"SUGGESTION"},
-        options=set(),
     )
     alignment_angle_image: PointerProperty(
         type=bpy.types.Image,
@@ -143,12 +132,10 @@ class AlignmentSettings:
             "Image whose brightness is the angle, read once per vertex. Set its color space to "
             "Non-Color, so that half grey is 90 degrees"
         ),
-        options=set(),
     )
     alignment_angle_uv_map: StringProperty(
         name="UV Map",
         description="UV map that lays the image on the surface. Empty: the active one",
-        options=set(),
     )
 
 

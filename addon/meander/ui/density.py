@@ -2,7 +2,6 @@
 """Where the spacing varies: the settings on an object, and the panel "Density"."""
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, PointerProperty, StringProperty
 
 from ..model.density import FREE, TONE
 from ..model.options.tone import ROWS as TONE_ROWS
@@ -13,6 +12,13 @@ from ..scene.linked_settings import owner_of, settings_of
 from ..scene.settings import surface_of
 from .declared import row
 from .registered import registration
+from .setting_properties import (
+    BoolProperty,
+    EnumProperty,
+    FloatProperty,
+    PointerProperty,
+    StringProperty,
+)
 from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns, notice
 
 
@@ -38,7 +44,6 @@ class DensitySettings:
             ("CURVATURE", "Curvature", "How strongly the surface bends, in whatever direction"),
         ),
         default="GROUP",
-        options=set(),
     )
     density_group: StringProperty(
         name="Vertex Group",
@@ -46,14 +51,12 @@ class DensitySettings:
             "Vertex group that varies the spacing over the surface. Empty: the active one, if it "
             "is painted and no bone or modifier uses it"
         ),
-        options=set(),
     )
     density_attribute: StringProperty(
         name="Attribute",
         description="Attribute of points, faces or corners that varies the spacing",
         search=attribute_names,
         search_options={"SUGGESTION"},
-        options=set(),
     )
     density_color: StringProperty(
         name="Color Attribute",
@@ -63,7 +66,6 @@ class DensitySettings:
         ),
         search=color_names,
         search_options={"SUGGESTION"},
-        options=set(),
     )
     density_image: PointerProperty(
         type=bpy.types.Image,
@@ -72,12 +74,10 @@ class DensitySettings:
             "Image whose brightness varies the spacing; read once per vertex, so details finer "
             "than the faces are lost. Set its color space to Non-Color for plain data"
         ),
-        options=set(),
     )
     density_uv_map: StringProperty(
         name="UV Map",
         description="UV map that lays the image on the surface. Empty: the active one",
-        options=set(),
     )
     density_curvature: EnumProperty(
         name="Curvature",
@@ -92,7 +92,6 @@ class DensitySettings:
             ),
         ),
         default="MEAN",
-        options=set(),
     )
     use_density_range: BoolProperty(
         name="Custom Range",
@@ -101,14 +100,12 @@ class DensitySettings:
             "least and the greatest for attributes, 0 and what 95 % stay below for curvature"
         ),
         default=False,
-        options=set(),
     )
     density_low: FloatProperty(
         name="Low",
         description="Value that gets the low factor, as do all beyond it",
         default=0.0,
         precision=3,
-        options=set(),
     )
     density_high: FloatProperty(
         name="High",
@@ -117,7 +114,6 @@ class DensitySettings:
         ),
         default=1.0,
         precision=3,
-        options=set(),
     )
     factor_0: FloatProperty(
         name="Factor Low",
@@ -129,7 +125,6 @@ class DensitySettings:
         soft_max=2.0,
         precision=2,
         step=5,
-        options=set(),
     )
     factor_1: FloatProperty(
         name="Factor High",
@@ -144,7 +139,6 @@ class DensitySettings:
         soft_max=2.0,
         precision=2,
         step=5,
-        options=set(),
     )
     density_interpolation: EnumProperty(
         name="Interpolation",
@@ -166,14 +160,12 @@ class DensitySettings:
             ),
         ),
         default="LINEAR",
-        options=set(),
         update=_shape_chosen,
     )
     density_ramp: PointerProperty(
         type=bpy.types.NodeTree,
         name="Ramp",
         description="Holds the curve of the ramp; made when Curve is chosen",
-        options=set(),
     )
 
 

@@ -6,7 +6,6 @@ of it acts at once and can be animated, and whoever changes it there sees it her
 """
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty
 
 from ..run import rounding
 from ..run.lasting import Activity
@@ -21,6 +20,7 @@ from .on_result import OnOwnResult, result_of
 from .refusing import refusing
 from .registered import registration
 from .sidebar import LOOK, LOOK_ORDER, ORDER, SubPanel, columns
+from .setting_properties import BoolProperty, EnumProperty
 
 # The cross sections that the look of a curve has, by the numbers that its modifier keeps.
 PROFILES = (
@@ -71,7 +71,6 @@ class ProfileSettings:
         description="Cross section of a new curve",
         items=PROFILES,
         default="ROUND",
-        options=set(),
     )
     shown_profile: EnumProperty(
         name="Profile",
@@ -79,7 +78,6 @@ class ProfileSettings:
         items=PROFILES,
         get=lambda settings: _shown(settings, "Profile", len(PROFILES)),
         set=lambda settings, number: _choose(settings, "Profile", number),
-        options=set(),
     )
     shown_ends: EnumProperty(
         name="Ends",
@@ -87,13 +85,11 @@ class ProfileSettings:
         items=ENDS,
         get=lambda settings: _shown(settings, "Ends", len(ENDS)),
         set=_choose_ends,
-        options=set(),
     )
     radius_follows: BoolProperty(
         name="Radius Follows Spacing",
         description="With a density, make the curve thinner where its strands are closer",
         default=True,
-        options=set(),
     )
 
 

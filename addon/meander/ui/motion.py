@@ -4,7 +4,7 @@
 from typing import Any
 
 import bpy
-from bpy.props import BoolProperty, IntProperty, PointerProperty
+from bpy.props import IntProperty
 
 from ..run import bake as baking
 from ..run import motion
@@ -16,6 +16,7 @@ from .on_result import OnOwnResult, result_of
 from .refusing import refusing
 from .registered import registration
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns, notice
+from .setting_properties import BoolProperty, PointerProperty
 
 
 def _begin_again(settings: bpy.types.PropertyGroup, context: bpy.types.Context) -> None:
@@ -33,14 +34,12 @@ class FollowSettings:
             "for files that render elsewhere"
         ),
         default=False,
-        options=set(),
         update=_begin_again,
     )
     bake: PointerProperty(
         type=bpy.types.Collection,
         name="Baked Frames",
         description="The collection of the frames that were baked from this curve",
-        options=set(),
     )
 
 

@@ -2,7 +2,6 @@
 """The sub-panel "Export"; for that of "Make", what is known of every point as an object."""
 
 import bpy
-from bpy.props import EnumProperty
 
 from ..scene import look, points
 from ..scene.errors import DataError
@@ -20,6 +19,7 @@ from .on_result import OnResult, result_of
 from .refusing import refusing, sentence_of
 from .registered import registration
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
+from .setting_properties import EnumProperty
 
 
 class PointSettings:
@@ -37,7 +37,6 @@ class PointSettings:
             ("CURVES", "Hair Curves", "A curve with attributes; Blender 4.2 or later"),
         ),
         default="NONE",
-        options=set(),
     )
 
 

@@ -2,7 +2,6 @@
 """The part to fill, its boundary and faults of the mesh: settings, panels, Show Faults."""
 
 import bpy
-from bpy.props import EnumProperty, StringProperty
 
 from .. import core
 from ..model.preparation import faults_in_words
@@ -18,6 +17,7 @@ from .declared import row, switch
 from .refusing import refusing
 from .registered import registration
 from .sidebar import (
+from .setting_properties import EnumProperty, StringProperty
     ADVANCED,
     ADVANCED_ORDER,
     GUIDANCE,
@@ -41,10 +41,9 @@ class PreparationSettings:
             ("GROUP", "Vertex Group", "Where the weight is high enough, also across faces"),
         ),
         default="NONE",
-        options=set(),
     )
     mask_material: StringProperty(
-        name="Material", description="Only faces with this material are filled", options=set()
+        name="Material", description="Only faces with this material are filled"
     )
     mask_attribute: StringProperty(
         name="Attribute",
@@ -54,19 +53,17 @@ class PreparationSettings:
         ),
         search=mask_names,
         search_options={"SUGGESTION"},
-        options=set(),
     )
     mask_group: StringProperty(
         name="Group",
         description="Vertex group; what has less than the threshold is left out",
-        options=set(),
     )
 
 
 class MeanderProblem(bpy.types.PropertyGroup):
     """Why the mesh was refused last."""
 
-    sentence: StringProperty(name="Sentence", options=set())  # empty: it was not
+    sentence: StringProperty(name="Sentence")  # empty: it was not
 
 
 class MEANDER_OT_select_problem(bpy.types.Operator):

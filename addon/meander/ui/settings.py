@@ -9,15 +9,6 @@ its surface.
 
 
 import bpy
-from bpy.props import (
-    BoolProperty,
-    CollectionProperty,
-    FloatProperty,
-    FloatVectorProperty,
-    IntProperty,
-    PointerProperty,
-    StringProperty,
-)
 
 from ..model.options.table import TABLE, in_panel
 from ..run import motion
@@ -34,6 +25,15 @@ from .motion import FollowSettings
 from .points import PointSettings
 from .preparation import MeanderProblem, PreparationSettings
 from .registered import registration
+from .setting_properties import (
+    BoolProperty,
+    CollectionProperty,
+    FloatProperty,
+    FloatVectorProperty,
+    IntProperty,
+    PointerProperty,
+    StringProperty,
+)
 from .strands import StrandSettings
 
 
@@ -77,103 +77,93 @@ class MeanderGap(bpy.types.PropertyGroup):
         name="Position",
         description="In the space of the surface, which is that of the curve",
         subtype="TRANSLATION",
-        options=set(),
     )
     size: FloatProperty(
         name="Size",
         description="Distance to the curve over half the spacing there; 1 is as wanted",
-        options=set(),
     )
 
 
 class MeanderFigures(bpy.types.PropertyGroup):
     """What the last run came to; shown in the panel, set by the operator."""
 
-    stop_reason: StringProperty(name="Stop Reason", options=set())
-    nodes: IntProperty(name="Nodes", options=set())
-    iterations: IntProperty(name="Iterations", options=set())
-    length: FloatProperty(name="Length", unit="LENGTH", options=set())
+    stop_reason: StringProperty(name="Stop Reason")
+    nodes: IntProperty(name="Nodes")
+    iterations: IntProperty(name="Iterations")
+    length: FloatProperty(name="Length", unit="LENGTH")
     spacing: FloatProperty(
         name="Spacing",
         description="That of the run; the setting may be another by now. 0: not kept",
         unit="LENGTH",
-        options=set(),
     )
-    spacing_median: FloatProperty(name="Median Spacing", unit="LENGTH", options=set())
-    seconds: FloatProperty(name="Seconds", options=set())
+    spacing_median: FloatProperty(name="Median Spacing", unit="LENGTH")
+    seconds: FloatProperty(name="Seconds")
     variation: IntProperty(
         name="Variation",
         description="Which of the curves of the same settings it is; New Curve makes the next",
-        options=set(),
     )
-    run_number: IntProperty(name="Run", description="Among those on its surface", options=set())
-    empty_parts: IntProperty(name="Empty Parts", options=set())
+    run_number: IntProperty(name="Run", description="Among those on its surface")
+    empty_parts: IntProperty(name="Empty Parts")
     # On results only: which of their splines are guides.
-    strands: IntProperty(name="Strands", options=set())
-    first_guide: IntProperty(name="First Guide", options=set())
-    guides: IntProperty(name="Guides", options=set())
+    strands: IntProperty(name="Strands")
+    first_guide: IntProperty(name="First Guide")
+    guides: IntProperty(name="Guides")
     # Of results made before this was counted there are no figures: -1, and no lines at all.
     evenness: FloatProperty(
         name="Evenness",
         description="Share of the curve whose spacing is within a fifth of what is wanted",
         default=-1.0,
-        options=set(),
     )
     smoothing: FloatProperty(
         name="Smoothing",
         description="What a rough surface was smoothed by where its spacing is measured, in half "
         "spacings",
-        options=set(),
     )
     stretch: FloatProperty(
         name="Stretch",
         description="Lengths on the surface in those on the smoothed one",
         default=1.0,
-        options=set(),
     )
-    lines: IntProperty(name="Lines", options=set())
-    closed_lines: IntProperty(name="Closed Lines", options=set())
-    lines_why: StringProperty(name="Why So Many Lines", options=set())
-    bridge_count: IntProperty(name="Bridges", options=set())
-    bridge_length: FloatProperty(name="Length of Bridges", unit="LENGTH", options=set())
-    bridges: StringProperty(name="Joined", options=set())  # how to take the line apart again
+    lines: IntProperty(name="Lines")
+    closed_lines: IntProperty(name="Closed Lines")
+    lines_why: StringProperty(name="Why So Many Lines")
+    bridge_count: IntProperty(name="Bridges")
+    bridge_length: FloatProperty(name="Length of Bridges", unit="LENGTH")
+    bridges: StringProperty(name="Joined")  # how to take the line apart again
     wide_gaps: IntProperty(
         name="Gaps That Matter",
         description="Those farther than 0.75 spacings from the curve",
         default=-1,
-        options=set(),
     )
-    gap_count: IntProperty(name="Gaps", options=set())
-    largest_gap: FloatProperty(name="Largest Gap", options=set())
+    gap_count: IntProperty(name="Gaps")
+    largest_gap: FloatProperty(name="Largest Gap")
     empty_share: FloatProperty(
         name="Empty",
         description="Share of the surface that is farther than 0.8 spacings from the curve",
-        options=set(),
     )
     narrow_share: FloatProperty(
         name="Too Narrow",
         description="Share of the surface that is as far, and narrower than a spacing",
-        options=set(),
     )
-    began: StringProperty(name="How It Began", options=set())
-    preparation: StringProperty(name="Preparation", options=set())
-    mended: IntProperty(name="Faults Repaired", options=set())
+    began: StringProperty(name="How It Began")
+    preparation: StringProperty(name="Preparation")
+    mended: IntProperty(name="Faults Repaired")
     # On results only: what their look has been told; the spacing in their own space.
     look_material: PointerProperty(type=bpy.types.Material, name="Material of the Look")
-    look_spacing: FloatProperty(name="Spacing of the Look", options=set())
-    look_follows: FloatProperty(name="Radius Follows Spacing in the Look", options=set())
+    look_spacing: FloatProperty(name="Spacing of the Look")
+    look_follows: FloatProperty(name="Radius Follows Spacing in the Look")
     # How often Live has changed the curve, and what the settings asked for at the last run.
-    live_changes: IntProperty(name="Live Changes", options=set())
-    asked: StringProperty(name="Asked For", options=set())
+    live_changes: IntProperty(name="Live Changes")
+    asked: StringProperty(name="Asked For")
     # The tolerance with which the drawn line was made, and of which points.
-    round_told: FloatProperty(name="Round of the Drawn Line", options=set())
-    round_of: StringProperty(name="Points of the Drawn Line", options=set())
+    round_told: FloatProperty(name="Round of the Drawn Line")
+    round_of: StringProperty(name="Points of the Drawn Line")
     # On results only, and of many gaps only the largest.
-    gaps: CollectionProperty(type=MeanderGap, options=set())
-    whole_points: IntProperty(name="Points of the Whole Curve", options=set())
-    least_spacing: FloatProperty(name="Least Spacing", options=set())  # world units; 0: unknown
-    room: StringProperty(name="Room", options=set())  # r+ and r- of every point, packed
-    points: PointerProperty(type=bpy.types.Object, name="Points", options=set())
+    gaps: CollectionProperty(type=MeanderGap)
+    whole_points: IntProperty(name="Points of the Whole Curve")
+    least_spacing: FloatProperty(name="Least Spacing")  # world units; 0: unknown
+    room: StringProperty(name="Room")  # r+ and r- of every point, packed
+    points: PointerProperty(type=bpy.types.Object, name="Points")
 
 
 class MeanderSettings(
@@ -195,7 +185,6 @@ class MeanderSettings(
         name="Surface",
         description="The mesh that this curve fills; set on curves that Meander has made",
         poll=_is_surface,
-        options=set(),
     )
     last_result: PointerProperty(
         type=bpy.types.Object,
@@ -205,7 +194,6 @@ class MeanderSettings(
             "Empty: a new one is made"
         ),
         poll=_is_result,
-        options=set(),
     )
     made_from: PointerProperty(
         type=bpy.types.Object,
@@ -214,23 +202,19 @@ class MeanderSettings(
             "The curve that this object was made from, as by Two-Tone. Empty: it can be filled"
         ),
         poll=_is_made_by_meander,
-        options=set(),
     )
     made_material: PointerProperty(
         type=bpy.types.Material,
         name="Surface Material",
         description="The material of images that Make Material has made of this curve",
-        options=set(),
     )
     made_material_by: StringProperty(
         name="Material Made By",
         description="How that material was made, to make its images again",
-        options=set(),
     )
     made_by: StringProperty(
         name="Made By",
         description="How this object was made of its curve, to make it again",
-        options=set(),
     )
     keep_up: BoolProperty(
         name="Follow Curve",
@@ -238,7 +222,6 @@ class MeanderSettings(
             "Make this object again whenever its curve is another. What you edit is left alone"
         ),
         default=True,
-        options=set(),
     )
     seed: PointerProperty(
         type=bpy.types.Object,
@@ -249,7 +232,6 @@ class MeanderSettings(
             "open or cyclic. Empty: a small loop on every part of the mesh"
         ),
         poll=_is_curve,
-        options=set(),
     )
     live: BoolProperty(
         name="Live",
@@ -258,19 +240,16 @@ class MeanderSettings(
             "grows and after, also while you paint"
         ),
         default=False,
-        options=set(),
     )
     fixed_ends: BoolProperty(
         name="Fixed Ends",
         description="Keep the end points of open seed splines where they are",
         default=False,
-        options=set(),
     )
     use_bevel: BoolProperty(
         name="Thickness",
         description="Give a new curve a body, which the modifier of its look makes",
         default=True,
-        options=set(),
     )
     bevel_share: FloatProperty(
         name="Radius",
@@ -283,7 +262,6 @@ class MeanderSettings(
         soft_min=0.02,
         soft_max=0.5,
         subtype="FACTOR",
-        options=set(),
     )
     round_share: FloatProperty(
         name="Round",
@@ -296,14 +274,12 @@ class MeanderSettings(
         max=0.5,
         soft_max=0.25,
         subtype="FACTOR",
-        options=set(),
     )
-    figures: PointerProperty(type=MeanderFigures, options=set())
+    figures: PointerProperty(type=MeanderFigures)
     problem: PointerProperty(
         type=MeanderProblem,
         name="Problem",
         description="Why the mesh was refused last",
-        options=set(),
     )
 
 
@@ -314,8 +290,8 @@ for _part in (*MeanderSettings.__bases__[:-1], MeanderSettings):
 class MeanderLinked(bpy.types.PropertyGroup):
     """The settings of an object from another file, which cannot keep them itself."""
 
-    surface: PointerProperty(type=bpy.types.Object, name="Surface", options=set())
-    settings: PointerProperty(type=MeanderSettings, options=set())
+    surface: PointerProperty(type=bpy.types.Object, name="Surface")
+    settings: PointerProperty(type=MeanderSettings)
 
 
 _register, _unregister = registration(
@@ -326,7 +302,7 @@ _register, _unregister = registration(
 def register() -> None:
     _register()
     bpy.types.Object.meander = PointerProperty(type=MeanderSettings)
-    bpy.types.Scene.meander_linked = CollectionProperty(type=MeanderLinked, options=set())
+    bpy.types.Scene.meander_linked = CollectionProperty(type=MeanderLinked)
 
 
 def unregister() -> None:

@@ -2,7 +2,6 @@
 """The sub-panel "Seed and Strands": seed, stroke, guides, parts they leave out; its settings."""
 
 import bpy
-from bpy.props import BoolProperty, PointerProperty
 
 from ..run import seeds
 from ..scene.curve_reader import has_strands
@@ -16,6 +15,7 @@ from .seeds import (
     MEANDER_OT_seed_from_edges,
     MEANDER_OT_stroke_from_vertices,
 )
+from .setting_properties import BoolProperty, PointerProperty
 from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns
 
 
@@ -38,14 +38,12 @@ class StrandSettings:
             "the surface. Its ends stay there, so that one stroke fills the surface"
         ),
         poll=_is_another,
-        options=set(),
     )
     stroke_to: PointerProperty(
         type=bpy.types.Object,
         name="To",
         description="End that strand at the origin of this object",
         poll=_is_another,
-        options=set(),
     )
     guides: PointerProperty(
         type=bpy.types.Object,
@@ -56,7 +54,6 @@ class StrandSettings:
             "each other"
         ),
         poll=_is_another_curve,
-        options=set(),
     )
     guide_collection: PointerProperty(
         type=bpy.types.Collection,
@@ -65,13 +62,11 @@ class StrandSettings:
             "All curves, texts, Grease Pencil and meshes without faces in this collection are "
             "guides as well"
         ),
-        options=set(),
     )
     keep_guides: BoolProperty(
         name="Keep Guides",
         description="Write the guides into the result, as splines of their own",
         default=True,
-        options=set(),
     )
 
 
