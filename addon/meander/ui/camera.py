@@ -27,6 +27,7 @@ from .declared import share_of
 from .file_names import file_named
 from .fill import draw_question
 from .preferences import is_large
+from .reasons import Reasoned, Reasons, not_in_object_mode
 from .refusing import refusing
 from .registered import registration
 from .ticked import KEYS, Ticked
@@ -114,7 +115,7 @@ class PageSettings:
     )
 
 
-class MEANDER_OT_draw_camera(PageSettings, Ticked, bpy.types.Operator):
+class MEANDER_OT_draw_camera(Reasoned, PageSettings, Ticked, bpy.types.Operator):
     """Fill everything that the camera sees at one spacing on paper, and write the page as an SVG
     file with a layer for each object, without what is hidden. Nothing in the scene is changed"""
 
@@ -133,16 +134,11 @@ class MEANDER_OT_draw_camera(PageSettings, Ticked, bpy.types.Operator):
     _size: DrawingEstimate | None = None  # of what the camera sees, for the dialog
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        if (busy := why_busy()) is not None:
-            cls.poll_message_set(busy)
-        elif context.scene.camera is None:
-            cls.poll_message_set("The scene has no camera")
-        elif context.mode != "OBJECT":
-            cls.poll_message_set("Works in Object Mode")
-        else:
-            return True
-        return False
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
+        yield why_busy()
+        if context.scene.camera is None:
+            yield "The scene has no camera"
+        yield not_in_object_mode(context)
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout

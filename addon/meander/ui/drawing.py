@@ -27,6 +27,7 @@ from ..scene.changes import shape_count
 from ..scene.errors import DataError
 from ..scene.identity import Key
 from ..scene.seeds import new_seed
+from .reasons import Reasoned, Reasons
 from .refusing import sentence_of
 from .registered import registration
 from .sidebar import Sidebar, notice
@@ -217,7 +218,7 @@ def _points(spline: bpy.types.Spline) -> int:
 # Operators
 
 
-class MEANDER_OT_draw_seed(bpy.types.Operator):
+class MEANDER_OT_draw_seed(Reasoned, bpy.types.Operator):
     """Draw the seed on the surface with the mouse"""
 
     bl_idname = "meander.draw_seed"
@@ -248,17 +249,13 @@ class MEANDER_OT_draw_seed(bpy.types.Operator):
         )
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
         active = context.active_object
-        if (busy := why_busy()) is not None:
-            cls.poll_message_set(busy)
-        elif active is None or active.type != "MESH":
-            cls.poll_message_set("Choose the mesh to draw on")
-        elif not active.visible_get():
-            cls.poll_message_set("The mesh is hidden, so there is nothing to draw on")
-        else:
-            return True
-        return False
+        yield why_busy()
+        if active is None or active.type != "MESH":
+            yield "Choose the mesh to draw on"
+        if not active.visible_get():
+            yield "The mesh is hidden, so there is nothing to draw on"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         drawn.end()
@@ -276,7 +273,7 @@ class MEANDER_OT_draw_seed(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class MEANDER_OT_end_seed(bpy.types.Operator):
+class MEANDER_OT_end_seed(Reasoned, bpy.types.Operator):
     """Leave Edit Mode and go back to the surface, with what was drawn as its seed or direction"""
 
     bl_idname = "meander.end_seed"
@@ -284,11 +281,9 @@ class MEANDER_OT_end_seed(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
         if surface_drawn_on(context.active_object) is None:
-            cls.poll_message_set("No seed is being drawn")
-            return False
-        return True
+            yield "No seed is being drawn"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         drawing = drawn.current

@@ -29,6 +29,7 @@ from ..scene.seeds import mesh_of_seed
 from ..scene.settings import surface_of
 from .on_result import LINKED, is_linked
 from .preferences import is_large
+from .reasons import Reasoned, Reasons
 from .registered import registration
 from .watched import Watched
 
@@ -37,21 +38,19 @@ from .watched import Watched
 _MODES = ("OBJECT", "EDIT_MESH", "PAINT_WEIGHT", "PAINT_VERTEX")
 
 
-def poll_run(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
-    """Whether a run can begin; else the message says why not."""
-    if (busy := why_busy()) is not None:
-        cls.poll_message_set(busy)
-        return False
-    if context.mode not in _MODES:
-        cls.poll_message_set("Works in Object Mode, in Edit Mode of a mesh and in Weight Paint")
-        return False
-    if surface_of(context.active_object) is None and seeded_mesh(context) is None:
-        cls.poll_message_set(why_not(context.active_object))
-        return False
-    if is_result(context.active_object) and is_linked(context.active_object):
-        cls.poll_message_set(LINKED)
-        return False
-    return True
+class Fills(Reasoned):
+    """An operator that begins a run."""
+
+    @classmethod
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
+        active = context.active_object
+        yield why_busy()
+        if context.mode not in _MODES:
+            yield "Works in Object Mode, in Edit Mode of a mesh and in Weight Paint"
+        if surface_of(active) is None and seeded_mesh(context) is None:
+            yield why_not(active)
+        if is_result(active) and is_linked(active):
+            yield LINKED
 
 
 def seeded_mesh(context: bpy.types.Context) -> bpy.types.Object | None:
@@ -67,7 +66,7 @@ def fits(plan: Plan) -> bool:
         return True
 
 
-class MEANDER_OT_run(Watched, bpy.types.Operator):
+class MEANDER_OT_run(Fills, Watched, bpy.types.Operator):
     """Grow a curve on the active mesh until it fills the surface at the spacing"""
 
     bl_idname = "meander.run"
@@ -100,10 +99,6 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
         default=False,
         options={"HIDDEN", "SKIP_SAVE"},
     )
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return poll_run(cls, context)
 
     @classmethod
     def description(cls, context: bpy.types.Context, options: Any) -> str:
@@ -243,7 +238,7 @@ class MEANDER_OT_ask_run(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class MEANDER_OT_resume(Watched, bpy.types.Operator):
+class MEANDER_OT_resume(Fills, Watched, bpy.types.Operator):
     """Let the run that was ended last go on from where it was"""
 
     bl_idname = "meander.resume"
@@ -255,13 +250,10 @@ class MEANDER_OT_resume(Watched, bpy.types.Operator):
     bl_options = {"UNDO"}
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        if not poll_run(cls, context):
-            return False
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
+        yield from super().reasons(context)
         if suspended.run_of(context.active_object) is None:
-            cls.poll_message_set("No run on this object was ended before its time")
-            return False
-        return True
+            yield "No run on this object was ended before its time"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         if not self._begin(context):
@@ -286,7 +278,7 @@ class MEANDER_OT_resume(Watched, bpy.types.Operator):
         return True
 
 
-class MEANDER_OT_stop(bpy.types.Operator):
+class MEANDER_OT_stop(Reasoned, bpy.types.Operator):
     """Stop growing and keep the curve as it is now"""
 
     bl_idname = "meander.stop"
@@ -294,11 +286,9 @@ class MEANDER_OT_stop(bpy.types.Operator):
     bl_options = {"INTERNAL"}
 
     @classmethod
-    def poll(cls, _context: bpy.types.Context) -> bool:
+    def reasons(cls, _context: bpy.types.Context) -> Reasons:
         if session.current() is None:
-            cls.poll_message_set("No curve is growing")
-            return False
-        return True
+            yield "No curve is growing"
 
     def execute(self, _context: bpy.types.Context) -> set[str]:
         session.current().stop_wanted = True

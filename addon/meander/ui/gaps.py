@@ -10,6 +10,7 @@ from ..run import gaps as gap_marks
 from ..run.lasting import why_busy
 from ..scene.results import shown_result
 from ..scene.settings import surface_of
+from .reasons import Reasoned, Reasons
 from .registered import registration
 from .settings import MeanderFigures
 
@@ -21,7 +22,7 @@ def wide_gaps(figures: MeanderFigures) -> int:
     return figures.wide_gaps
 
 
-class MEANDER_OT_show_gaps(bpy.types.Operator):
+class MEANDER_OT_show_gaps(Reasoned, bpy.types.Operator):
     """Mark the places that are too far from the curve, or take the marks away again"""
 
     bl_idname = "meander.show_gaps"
@@ -33,17 +34,13 @@ class MEANDER_OT_show_gaps(bpy.types.Operator):
     bl_options = {"REGISTER"}
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
         result = shown_result(context.active_object, context.scene)
-        if (busy := why_busy()) is not None:
-            cls.poll_message_set(busy)
-        elif result is None or surface_of(result) is None:
-            cls.poll_message_set("Choose a curve that Meander has made, or its mesh")
-        elif not result.visible_get():
-            cls.poll_message_set("The curve is hidden")
-        else:
-            return True
-        return False
+        yield why_busy()
+        if result is None or surface_of(result) is None:
+            yield "Choose a curve that Meander has made, or its mesh"
+        if not result.visible_get():
+            yield "The curve is hidden"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         result = shown_result(context.active_object, context.scene)

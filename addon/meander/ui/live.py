@@ -24,7 +24,7 @@ from ..scene.linked_settings import settings_of
 from ..scene.results import last_result
 from ..scene.settings import surface_of
 from . import following
-from .fill import MEANDER_OT_run, fits, poll_run
+from .fill import Fills, MEANDER_OT_run, fits
 from .registered import registration
 from .watched import Watched
 
@@ -38,17 +38,13 @@ _SILENCE = 0.15
 _looked_at: Memory[int, tuple[int, Meaning]] = Memory(undone=True)
 
 
-class MEANDER_OT_live(Watched, bpy.types.Operator):
+class MEANDER_OT_live(Fills, Watched, bpy.types.Operator):
     """Let the curve of a surface take what its settings ask for now"""
 
     bl_idname = "meander.live"
     bl_label = "Live"
     bl_options = {"INTERNAL", "UNDO"}
     _invoked = True  # by a timer: an error would be raised there, and end it
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return poll_run(cls, context)
 
     def _finish(self, context: bpy.types.Context, keep: bool) -> set[str]:
         plan = self._session.plan

@@ -17,10 +17,11 @@ from ..scene.look_upgrade import add_look
 from ..scene.results import shown_result
 from .declared import switch
 from .on_result import OnOwnResult, result_of
+from .reasons import Reasons
 from .refusing import refusing
 from .registered import registration
-from .sidebar import LOOK, LOOK_ORDER, ORDER, SubPanel, columns
 from .setting_properties import BoolProperty, EnumProperty
+from .sidebar import LOOK, LOOK_ORDER, ORDER, SubPanel, columns
 
 # The cross sections that the look of a curve has, by the numbers that its modifier keeps.
 PROFILES = (
@@ -101,13 +102,10 @@ class MEANDER_OT_add_look(OnOwnResult, bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        if not super().poll(context):
-            return False
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
+        yield from super().reasons(context)
         if look.modifier_of(result_of(context)) is not None:
-            cls.poll_message_set("The curve has a live look")
-            return False
-        return True
+            yield "The curve has a live look"
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:

@@ -9,6 +9,7 @@ from ..run import remade
 from ..run.lasting import why_busy
 from ..scene.made import bring_into_view, made_from
 from ..scene.results import shown_result
+from .reasons import Reasoned, Reasons, not_in_object_mode
 from .refusing import refusing
 from .registered import registration
 from .sidebar import notice
@@ -20,7 +21,7 @@ def _curve_behind(context: bpy.types.Context) -> bpy.types.Object | None:
     return made_from(active) or shown_result(active, context.scene)
 
 
-class MEANDER_OT_select_curve(bpy.types.Operator):
+class MEANDER_OT_select_curve(Reasoned, bpy.types.Operator):
     """Show the curve that this object was made from, or that lies on this mesh, and make it
     active"""
 
@@ -29,16 +30,11 @@ class MEANDER_OT_select_curve(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        if (busy := why_busy()) is not None:
-            cls.poll_message_set(busy)
-        elif _curve_behind(context) is None:
-            cls.poll_message_set("Choose a mesh with a curve, or what was made from one")
-        elif context.mode != "OBJECT":
-            cls.poll_message_set("Works in Object Mode")
-        else:
-            return True
-        return False
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
+        yield why_busy()
+        if _curve_behind(context) is None:
+            yield "Choose a mesh with a curve, or what was made from one"
+        yield not_in_object_mode(context)
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -46,7 +42,7 @@ class MEANDER_OT_select_curve(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class MEANDER_OT_use_as_surface(bpy.types.Operator):
+class MEANDER_OT_use_as_surface(Reasoned, bpy.types.Operator):
     """Let this object be filled like any other mesh. It forgets the curve that it was made from"""
 
     bl_idname = "meander.use_as_surface"
@@ -54,22 +50,19 @@ class MEANDER_OT_use_as_surface(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
         active = context.active_object
         if made_from(active) is None:
-            cls.poll_message_set("Choose what was made from a curve")
-        elif active.library is not None:
-            cls.poll_message_set("The object is linked from another file")
-        else:
-            return True
-        return False
+            yield "Choose what was made from a curve"
+        if active.library is not None:
+            yield "The object is linked from another file"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         context.active_object.meander.made_from = None
         return {"FINISHED"}
 
 
-class MEANDER_OT_make_again(bpy.types.Operator):
+class MEANDER_OT_make_again(Reasoned, bpy.types.Operator):
     """Make this object again of its curve as that is now; keeps its place, materials and
     modifiers, and replaces its mesh"""
 
@@ -78,19 +71,14 @@ class MEANDER_OT_make_again(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
         active = context.active_object
-        if (busy := why_busy()) is not None:
-            cls.poll_message_set(busy)
-        elif made_from(active) is None or not active.meander.made_by:
-            cls.poll_message_set("Choose what a button under Make has made")
-        elif active.library is not None:
-            cls.poll_message_set("The object is linked from another file")
-        elif context.mode != "OBJECT":
-            cls.poll_message_set("Works in Object Mode")
-        else:
-            return True
-        return False
+        yield why_busy()
+        if made_from(active) is None or not active.meander.made_by:
+            yield "Choose what a button under Make has made"
+        if active.library is not None:
+            yield "The object is linked from another file"
+        yield not_in_object_mode(context)
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:

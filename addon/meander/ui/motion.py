@@ -13,10 +13,11 @@ from ..scene import bake as baked_frames
 from ..scene.fillable import is_result
 from .declared import switch
 from .on_result import OnOwnResult, result_of
+from .reasons import Reasoned, Reasons, not_in_object_mode
 from .refusing import refusing
 from .registered import registration
-from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns, notice
 from .setting_properties import BoolProperty, PointerProperty
+from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns, notice
 
 
 def _begin_again(settings: bpy.types.PropertyGroup, context: bpy.types.Context) -> None:
@@ -142,7 +143,7 @@ class MEANDER_OT_animate_growth(_OnResult, bpy.types.Operator):
         return {"FINISHED"}
 
 
-class MEANDER_OT_clear_bake(bpy.types.Operator):
+class MEANDER_OT_clear_bake(Reasoned, bpy.types.Operator):
     """Delete the baked frames of this curve, and show the curve itself again"""
 
     bl_idname = "meander.clear_bake"
@@ -150,19 +151,14 @@ class MEANDER_OT_clear_bake(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
         result = baked_frames.baked_result(context.active_object)
-        if (busy := why_busy()) is not None:
-            cls.poll_message_set(busy)
-        elif result is None:
-            cls.poll_message_set("Choose a curve with baked frames, one of them, or its mesh")
-        elif context.mode != "OBJECT":
-            cls.poll_message_set("Works in Object Mode")
-        elif result.library is not None:
-            cls.poll_message_set("The curve is linked from another file")
-        else:
-            return True
-        return False
+        yield why_busy()
+        if result is None:
+            yield "Choose a curve with baked frames, one of them, or its mesh"
+        yield not_in_object_mode(context)
+        if result.library is not None:
+            yield "The curve is linked from another file"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         active = context.active_object

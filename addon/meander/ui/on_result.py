@@ -10,6 +10,7 @@ from ..scene.fillable import is_result, why_not
 from ..scene.linked_settings import is_from_file
 from ..scene.results import shown_result
 from ..scene.settings import surface_of
+from .reasons import Reasoned, Reasons, not_in_object_mode
 
 NO_RESULT = "Choose a curve that Meander has made, or its mesh"
 LINKED = "The curve is linked from another file"
@@ -20,16 +21,16 @@ def is_linked(result: bpy.types.Object) -> bool:
     return is_from_file(result) or is_from_file(result.data)
 
 
-def can_choose(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
-    """Whether the active object has settings that can be chosen; else the message says why not."""
-    active = context.active_object
-    if surface_of(active) is None:
-        cls.poll_message_set(why_not(active))
-        return False
-    if is_result(active) and is_linked(active):
-        cls.poll_message_set(LINKED)
-        return False
-    return True
+class OnSettings(Reasoned):
+    """An operator on the settings of the active object."""
+
+    @classmethod
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
+        active = context.active_object
+        if surface_of(active) is None:
+            yield why_not(active)
+        if is_result(active) and is_linked(active):
+            yield LINKED
 
 
 def result_of(context: bpy.types.Context) -> bpy.types.Object | None:
@@ -38,31 +39,23 @@ def result_of(context: bpy.types.Context) -> bpy.types.Object | None:
     return shown_result(context.active_object, context.scene)
 
 
-class OnResult:
+class OnResult(Reasoned):
     """An operator that works on a curve which Meander has made: result_of()."""
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
         result = result_of(context)
-        if (busy := why_busy()) is not None:
-            cls.poll_message_set(busy)
-        elif result is None or result.meander.surface is None:
-            cls.poll_message_set(NO_RESULT)
-        elif context.mode != "OBJECT":
-            cls.poll_message_set("Works in Object Mode")
-        else:
-            return True
-        return False
+        yield why_busy()
+        if result is None or result.meander.surface is None:
+            yield NO_RESULT
+        yield not_in_object_mode(context)
 
 
 class OnOwnResult(OnResult):
     """One that changes the curve, which therefore may not come from another file."""
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        if not super().poll(context):
-            return False
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
+        yield from super().reasons(context)
         if is_linked(result_of(context)):
-            cls.poll_message_set(LINKED)
-            return False
-        return True
+            yield LINKED

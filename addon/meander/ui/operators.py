@@ -8,21 +8,18 @@ from ..run.window import redraw
 from ..scene.linked_settings import can_be_changed, settings_to_change
 from ..scene.meshes import triangles_of
 from ..scene.settings import surface_of
-from .on_result import can_choose
+from .on_result import OnSettings
+from .reasons import Reasoned, Reasons
 from .refusing import refusing
 from .registered import registration
 
 
-class MEANDER_OT_propose_spacing(bpy.types.Operator):
+class MEANDER_OT_propose_spacing(OnSettings, bpy.types.Operator):
     """Set a spacing that suits the size of the surface and is filled in seconds"""
 
     bl_idname = "meander.propose_spacing"
     bl_label = "Propose Spacing"
     bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return can_choose(cls, context)
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -33,7 +30,7 @@ class MEANDER_OT_propose_spacing(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class MEANDER_OT_choose_settings(bpy.types.Operator):
+class MEANDER_OT_choose_settings(Reasoned, bpy.types.Operator):
     """Keep settings for this linked mesh in this file. They begin as its own file has them"""
 
     bl_idname = "meander.choose_settings"
@@ -41,15 +38,12 @@ class MEANDER_OT_choose_settings(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
         active = context.active_object
         if surface_of(active) is not active or active is None:
-            cls.poll_message_set("Choose a mesh that is linked from another file")
-        elif can_be_changed(active):
-            cls.poll_message_set("The settings can be changed")
-        else:
-            return True
-        return False
+            yield "Choose a mesh that is linked from another file"
+        if can_be_changed(active):
+            yield "The settings can be changed"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         settings_to_change(context.active_object)

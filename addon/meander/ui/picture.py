@@ -14,13 +14,14 @@ from ..run.lasting import why_busy
 from ..scene.errors import DataError
 from ..scene.layouts import metres_of
 from ..scene.picture import new_sheet, read_picture
+from .reasons import Reasoned, Reasons, not_in_object_mode
 from .refusing import refusing
 from .registered import registration
 
 _MILLIMETRE = 0.001
 
 
-class MEANDER_OT_picture(bpy.types.Operator):
+class MEANDER_OT_picture(Reasoned, bpy.types.Operator):
     """Make a sheet of a picture, and draw it on the sheet in one line that never crosses itself:
     strands are closer where the picture is darker"""
 
@@ -88,14 +89,9 @@ class MEANDER_OT_picture(bpy.types.Operator):
     )
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        if (busy := why_busy()) is not None:
-            cls.poll_message_set(busy)
-        elif context.mode != "OBJECT":
-            cls.poll_message_set("Works in Object Mode")
-        else:
-            return True
-        return False
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
+        yield why_busy()
+        yield not_in_object_mode(context)
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         context.window_manager.fileselect_add(self)

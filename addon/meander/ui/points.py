@@ -16,10 +16,11 @@ from .export import MEANDER_OT_export_toolpath
 from .light import MEANDER_OT_make_light
 from .maps import MEANDER_OT_maps
 from .on_result import OnResult, result_of
+from .reasons import Reasons
 from .refusing import refusing, sentence_of
 from .registered import registration
-from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
 from .setting_properties import EnumProperty
+from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
 
 
 class PointSettings:
@@ -88,13 +89,12 @@ class MEANDER_OT_points_to_curves(_PointsToObject, bpy.types.Operator):
     kind = "CURVES"
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
         try:
             points.refuse(cls.kind)
         except DataError as refusal:
-            cls.poll_message_set(sentence_of(refusal))
-            return False
-        return super().poll(context)
+            yield sentence_of(refusal)
+        yield from super().reasons(context)
 
 
 class MEANDER_PT_points(SubPanel, bpy.types.Panel):

@@ -14,10 +14,11 @@ from ..scene.meshes import triangles_of
 from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .declared import row, switch
+from .reasons import Reasoned, Reasons
 from .refusing import refusing
 from .registered import registration
-from .sidebar import (
 from .setting_properties import EnumProperty, StringProperty
+from .sidebar import (
     ADVANCED,
     ADVANCED_ORDER,
     GUIDANCE,
@@ -66,7 +67,7 @@ class MeanderProblem(bpy.types.PropertyGroup):
     sentence: StringProperty(name="Sentence")  # empty: it was not
 
 
-class MEANDER_OT_select_problem(bpy.types.Operator):
+class MEANDER_OT_select_problem(Reasoned, bpy.types.Operator):
     """Select all faults of the mesh in Edit Mode and bring them into view"""
 
     bl_idname = "meander.select_problem"
@@ -74,19 +75,15 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
         surface = surface_of(context.active_object)
-        if (busy := why_busy()) is not None:
-            cls.poll_message_set(busy)
-        elif surface is None or surface.type != "MESH":
-            cls.poll_message_set("Choose a mesh, or a curve that Meander has made on one")
-        elif surface.library is not None or surface.data.library is not None:
-            cls.poll_message_set("The mesh is linked from another file and cannot be edited")
-        elif not surface.visible_get():
-            cls.poll_message_set("The mesh is hidden")
-        else:
-            return True
-        return False
+        yield why_busy()
+        if surface is None or surface.type != "MESH":
+            yield "Choose a mesh, or a curve that Meander has made on one"
+        if surface.library is not None or surface.data.library is not None:
+            yield "The mesh is linked from another file and cannot be edited"
+        if not surface.visible_get():
+            yield "The mesh is hidden"
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:

@@ -22,7 +22,7 @@ from bpy.props import StringProperty
 from ..run.window import redraw
 from ..scene.blender_versions import add_preset_path, remove_preset_path
 from ..scene.linked_settings import lent
-from .on_result import can_choose
+from .on_result import OnSettings
 from .registered import registration
 
 SUBDIR = "meander"
@@ -100,7 +100,7 @@ def _same(value: Any, other: Any) -> bool:
     return value == other
 
 
-class MEANDER_OT_use_preset(bpy.types.Operator):
+class MEANDER_OT_use_preset(OnSettings, bpy.types.Operator):
     """Take the settings of this preset; the spacing, the seed and the look stay as they are"""
 
     bl_idname = "meander.use_preset"
@@ -108,10 +108,6 @@ class MEANDER_OT_use_preset(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO", "INTERNAL"}
 
     filepath: StringProperty(name="File", subtype="FILE_PATH", options={"SKIP_SAVE"})
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return can_choose(cls, context)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         path = Path(self.filepath)
@@ -127,7 +123,7 @@ class MEANDER_OT_use_preset(bpy.types.Operator):
         return done
 
 
-class MEANDER_OT_add_preset(AddPresetBase, bpy.types.Operator):
+class MEANDER_OT_add_preset(OnSettings, AddPresetBase, bpy.types.Operator):
     """Keep how the line runs as a preset under a name, or remove one"""
 
     bl_idname = "meander.add_preset"
@@ -136,10 +132,6 @@ class MEANDER_OT_add_preset(AddPresetBase, bpy.types.Operator):
     preset_subdir = SUBDIR
     # Without preset_defines, which do nothing in a Blender before 5.1 on Python 3.13 (Debian 13's).
     preset_values = tuple(f"bpy.context.active_object.meander.{name}" for name in SETTINGS)
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return can_choose(cls, context)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         if self.remove_name or self.remove_active:

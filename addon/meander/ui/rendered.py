@@ -11,6 +11,7 @@ from ..scene.fillable import why_not
 from ..scene.linked_settings import is_from_file
 from ..scene.rendered import Rendering, make_same, rendering_of
 from ..scene.settings import surface_of
+from .reasons import Reasoned, Reasons
 from .registered import registration
 from .sidebar import notice
 
@@ -43,27 +44,25 @@ def draw_rendering(layout: bpy.types.UILayout, context: bpy.types.Context) -> No
         column.operator(MEANDER_OT_render_as_shown.bl_idname, icon="RESTRICT_RENDER_OFF")
 
 
-class _MakesSame:
+class _MakesSame(Reasoned):
     """Makes render and view the same, the line of one surface with them."""
 
     bl_options = {"REGISTER", "UNDO"}
     as_rendered: bool
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
         surface = surface_of(context.active_object)
-        if (busy := why_busy()) is not None:
-            cls.poll_message_set(busy)
-        elif surface is None:
-            cls.poll_message_set(why_not(context.active_object))
-        elif is_from_file(surface) or surface.data is not None and is_from_file(surface.data):
-            cls.poll_message_set("The surface is linked from another file")
-        else:
-            rendering = rendering_of(surface, context.scene)
-            if rendering is not None and rendering.is_set:
-                return True
-            cls.poll_message_set(_SAME if rendering is None else "Nodes or other objects do that")
-        return False
+        yield why_busy()
+        if surface is None:
+            yield why_not(context.active_object)
+        if is_from_file(surface) or surface.data is not None and is_from_file(surface.data):
+            yield "The surface is linked from another file"
+        rendering = rendering_of(surface, context.scene)
+        if rendering is None:
+            yield _SAME
+        elif not rendering.is_set:
+            yield "Nodes or other objects do that"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         make_same(surface_of(context.active_object), context.scene, self.as_rendered)

@@ -18,21 +18,24 @@ from ..scene.fillable import why_not
 from ..scene.linked_settings import settings_to_change
 from ..scene.seeds import new_seed, strands_of_boundary, strands_of_edges
 from ..scene.settings import surface_of
+from .reasons import Reasoned, Reasons
 from .refusing import refusing
 from .registered import registration
 
 
-def _poll(
-    cls: type[bpy.types.Operator], context: bpy.types.Context, modes: tuple, ask: str
-) -> bool:
-    active = context.active_object
-    if (busy := why_busy()) is not None:
-        cls.poll_message_set(busy)
-    elif active is None or active.type != "MESH" or active.mode not in modes:
-        cls.poll_message_set(ask)
-    else:
-        return True
-    return False
+class _OfMesh(Reasoned):
+    """An operator that makes a seed of the active mesh."""
+
+    bl_options = {"REGISTER", "UNDO"}
+    modes: tuple[str, ...] = ("EDIT", "OBJECT")
+    ask = ""  # what is to be chosen
+
+    @classmethod
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
+        active = context.active_object
+        yield why_busy()
+        if active is None or active.type != "MESH" or active.mode not in cls.modes:
+            yield cls.ask
 
 
 def _leave_edit_mode(context: bpy.types.Context) -> None:
@@ -66,7 +69,7 @@ def _made(
     return {"FINISHED"}
 
 
-class MEANDER_OT_seed_from_edges(bpy.types.Operator):
+class MEANDER_OT_seed_from_edges(_OfMesh, bpy.types.Operator):
     """Make a curve of the selected edges, and the seed of this mesh of it"""
 
     bl_idname = "meander.seed_from_edges"
@@ -75,7 +78,9 @@ class MEANDER_OT_seed_from_edges(bpy.types.Operator):
         "Make a curve that follows the selected edges, and the seed of it: each chain of edges "
         "becomes an open strand, each loop a closed one"
     )
-    bl_options = {"REGISTER", "UNDO"}
+    # In Object Mode it works on the selection that Edit Mode has left, for scripts and the redo
+    # panel.
+    ask = "Select edges of a mesh in Edit Mode"
 
     guides: BoolProperty(
         name="As Guides",
@@ -84,19 +89,13 @@ class MEANDER_OT_seed_from_edges(bpy.types.Operator):
         options={"SKIP_SAVE"},
     )
 
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        # In Object Mode it works on the selection that Edit Mode has left, for scripts and the
-        # redo panel.
-        return _poll(cls, context, ("EDIT", "OBJECT"), "Select edges of a mesh in Edit Mode")
-
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         found = functools.partial(strands_of_edges, branches=self.guides)
         return _made(self, context, found, self.guides)
 
 
-class MEANDER_OT_seed_from_boundary(bpy.types.Operator):
+class MEANDER_OT_seed_from_boundary(_OfMesh, bpy.types.Operator):
     """Make a curve of the boundary, and the seed of this mesh of it"""
 
     bl_idname = "meander.seed_from_boundary"
@@ -105,11 +104,7 @@ class MEANDER_OT_seed_from_boundary(bpy.types.Operator):
         "Make a curve of closed strands along the boundaries of the mesh, and the seed of it. In "
         "Edit Mode with boundary edges selected, of their loops only"
     )
-    bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return _poll(cls, context, ("EDIT", "OBJECT"), "Choose a mesh in Object Mode or Edit Mode")
+    ask = "Choose a mesh in Object Mode or Edit Mode"
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -117,7 +112,7 @@ class MEANDER_OT_seed_from_boundary(bpy.types.Operator):
         return _made(self, context, functools.partial(strands_of_boundary, selected=in_edit_mode))
 
 
-class MEANDER_OT_stroke_from_vertices(bpy.types.Operator):
+class MEANDER_OT_stroke_from_vertices(_OfMesh, bpy.types.Operator):
     """Make a two-point curve of the two selected vertices, and the seed of this mesh of it"""
 
     bl_idname = "meander.stroke_from_vertices"
@@ -126,11 +121,8 @@ class MEANDER_OT_stroke_from_vertices(bpy.types.Operator):
         "Make a curve of two points at the two selected vertices, and the seed of it: one stroke "
         "from one to the other then fills the surface, with its ends where they are"
     )
-    bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return _poll(cls, context, ("EDIT",), "Select two vertices of a mesh in Edit Mode")
+    modes = ("EDIT",)
+    ask = "Select two vertices of a mesh in Edit Mode"
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -153,7 +145,7 @@ class MEANDER_OT_stroke_from_vertices(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class MEANDER_OT_preview_seed(bpy.types.Operator):
+class MEANDER_OT_preview_seed(Reasoned, bpy.types.Operator):
     """Show on the surface what a run would start from, or show it no longer"""
 
     bl_idname = "meander.preview_seed"
@@ -164,14 +156,10 @@ class MEANDER_OT_preview_seed(bpy.types.Operator):
     )
 
     @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        if (busy := why_busy()) is not None:
-            cls.poll_message_set(busy)
-        elif surface_of(context.active_object) is None:
-            cls.poll_message_set(why_not(context.active_object))
-        else:
-            return True
-        return False
+    def reasons(cls, context: bpy.types.Context) -> Reasons:
+        yield why_busy()
+        if surface_of(context.active_object) is None:
+            yield why_not(context.active_object)
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:

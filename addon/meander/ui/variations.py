@@ -15,7 +15,7 @@ from ..run import estimate as estimates
 from ..run.plan import plan_run
 from ..scene.fillable import is_result
 from ..scene.linked_settings import settings_of, settings_to_change
-from .fill import poll_run
+from .fill import Fills
 from .refusing import refusing
 from .registered import registration
 
@@ -59,7 +59,7 @@ def _turn_of(context: bpy.types.Context) -> np.ndarray:
     return _TURN if view is None else np.array(view.view_matrix.to_3x3(), dtype=np.float64)
 
 
-class MEANDER_OT_show_variations(bpy.types.Operator):
+class MEANDER_OT_show_variations(Fills, bpy.types.Operator):
     """Show six variations of the curve to choose from: the same settings, begun elsewhere"""
 
     bl_idname = "meander.show_variations"
@@ -72,10 +72,6 @@ class MEANDER_OT_show_variations(bpy.types.Operator):
         default=False,
         options={"HIDDEN", "SKIP_SAVE"},
     )
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return poll_run(cls, context)
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -107,7 +103,7 @@ class MEANDER_OT_show_variations(bpy.types.Operator):
             shown.add(number, pictures.of(curve))
 
 
-class MEANDER_OT_use_variation(bpy.types.Operator):
+class MEANDER_OT_use_variation(Fills, bpy.types.Operator):
     """Fill the surface with this variation; keeps the looks and modifiers of its curve"""
 
     bl_idname = "meander.use_variation"
@@ -115,10 +111,6 @@ class MEANDER_OT_use_variation(bpy.types.Operator):
     bl_options = {"UNDO", "INTERNAL"}
 
     number: IntProperty(name="Variation", min=0, options={"HIDDEN", "SKIP_SAVE"})
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return poll_run(cls, context)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         active = context.active_object
