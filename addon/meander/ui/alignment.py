@@ -144,7 +144,6 @@ class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
     bl_label = "Direction"
     bl_parent_id = GUIDANCE
     bl_order = GUIDANCE_ORDER["direction"]
-    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout

@@ -178,7 +178,6 @@ class MEANDER_PT_make(SubPanel, bpy.types.Panel):
     bl_label = "Make"
     bl_parent_id = OUTPUT
     bl_order = OUTPUT_ORDER["make"]
-    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout

@@ -174,7 +174,6 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
     bl_label = "Density"
     bl_parent_id = GUIDANCE
     bl_order = GUIDANCE_ORDER["density"]
-    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout

@@ -117,7 +117,6 @@ class MEANDER_PT_look(SubPanel, bpy.types.Panel):
     bl_idname = LOOK
     bl_label = "Look"
     bl_order = ORDER["look"]
-    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
@@ -251,7 +250,6 @@ class MEANDER_PT_look_color(SubPanel, bpy.types.Panel):
     bl_label = "Along the Line"
     bl_parent_id = LOOK
     bl_order = LOOK_ORDER["color"]
-    bl_options = {"DEFAULT_CLOSED"}
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:

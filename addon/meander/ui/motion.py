@@ -175,7 +175,6 @@ class MEANDER_PT_motion(SubPanel, bpy.types.Panel):
     bl_label = "Motion"
     bl_parent_id = OUTPUT
     bl_order = OUTPUT_ORDER["motion"]
-    bl_options = {"DEFAULT_CLOSED"}
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:

@@ -151,7 +151,6 @@ class MEANDER_PT_guidance(SubPanel, bpy.types.Panel):
     bl_idname = GUIDANCE
     bl_label = "Guidance"
     bl_order = ORDER["guidance"]
-    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
@@ -168,7 +167,6 @@ class MEANDER_PT_output(SubPanel, bpy.types.Panel):
     bl_idname = OUTPUT
     bl_label = "Output"
     bl_order = ORDER["output"]
-    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, _context: bpy.types.Context) -> None:
         pass
@@ -178,7 +176,6 @@ class MEANDER_PT_advanced(SubPanel, bpy.types.Panel):
     bl_idname = ADVANCED
     bl_label = "Advanced"
     bl_order = ORDER["advanced"]
-    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
@@ -194,6 +191,7 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_figures"
     bl_label = "Last Run"
     bl_order = ORDER["last_run"]
+    bl_options = set()  # open
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:

@@ -102,7 +102,6 @@ class MEANDER_PT_points(SubPanel, bpy.types.Panel):
     bl_label = "Export"
     bl_parent_id = OUTPUT
     bl_order = OUTPUT_ORDER["export"]
-    bl_options = {"DEFAULT_CLOSED"}
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:

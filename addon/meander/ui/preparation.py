@@ -154,7 +154,6 @@ class MEANDER_PT_mask(SubPanel, bpy.types.Panel):
     bl_label = "Region"
     bl_parent_id = GUIDANCE
     bl_order = GUIDANCE_ORDER["region"]
-    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
@@ -189,7 +188,6 @@ class MEANDER_PT_repair(SubPanel, bpy.types.Panel):
     bl_label = "Mesh Repair"
     bl_parent_id = ADVANCED
     bl_order = ADVANCED_ORDER["repair"]
-    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout

@@ -46,9 +46,10 @@ class Sidebar:
 
 
 class SubPanel(Sidebar):
-    """A panel below the main one, shown for every surface and every result."""
+    """A panel below the main one, shown for every surface and every result, and closed at first."""
 
     bl_parent_id = "MEANDER_PT_main"
+    bl_options = {"DEFAULT_CLOSED"}
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:

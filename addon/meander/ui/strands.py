@@ -75,7 +75,6 @@ class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
     bl_label = "Seed and Strands"
     bl_parent_id = GUIDANCE
     bl_order = GUIDANCE_ORDER["strands"]
-    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout

@@ -24,7 +24,6 @@ class MEANDER_PT_weights(SubPanel, bpy.types.Panel):
     bl_label = "Strand Shape"
     bl_parent_id = ADVANCED
     bl_order = ADVANCED_ORDER["weights"]
-    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
