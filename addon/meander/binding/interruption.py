@@ -20,7 +20,7 @@ _Result = TypeVar("_Result")
 
 # How long the main thread waits at a time, in seconds: only Windows hears nothing meanwhile.
 _PAUSE = 0.05
-# A thread that has not begun after so many seconds never will.
+# A thread that has not begun after this time, in seconds, never will.
 _LATE = 1.0
 
 

@@ -18,7 +18,7 @@ _PROGRESS_SHARE = 0.1
 _PROGRESS_SECONDS = 10.0
 # The first line comes no later, so that whoever waits knows that something is done.
 _FIRST_SECONDS = 1.0
-# What lasts before and after a run is said from so many nodes on.
+# From this many nodes on it is said what lasts before and after a run.
 LARGE = 200_000
 # The longest time between two polls of a run, in seconds.
 _LONGEST_PAUSE = 0.1

@@ -193,7 +193,7 @@ def described(estimate: Estimate) -> str:
 
 
 def hanging_in_words(points: int) -> str:
-    """Lines about what to do where Blender would hang too long with a curve of so many points;
+    """Lines about what to do where Blender would hang too long with a curve of that many points;
     empty where it would not."""
     seconds = SECONDS_PER_POINT * points
     if seconds <= _MOST_SECONDS:

@@ -21,11 +21,11 @@ from ..core import Polylines
 # Bends are measured over an arc of half a radius: what is shorter is smoothed by any thread.
 _ARC = 0.5
 # Places that are looked at for each such arc, of which the sharpest is missed by up to 5 % of the
-# radius; and around those that are about as sharp as it, so many times as many.
+# radius; and how many times as many around those that are about as sharp as it.
 _PER_ARC = 4
 _CLOSER = 8
 _ABOUT = 1.25
-# So many at a time.
+# Arcs at a time.
 _BLOCK = 1 << 15
 
 

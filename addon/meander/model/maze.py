@@ -24,11 +24,11 @@ from .inlets import Inlet, find_inlets
 _FROM_BORDER, _AT_WALL = 1.0, 0.1
 # In spacings: a door is no nearer to the mouth of an inlet, along the wall.
 _FROM_CORNER = 1.5
-# Doors at a boundary are chosen among so many places, and so far apart at least, as a share of the
+# Doors at a boundary are chosen among _PLACES, at least _APART from each other as a share of the
 # widest two. What is farther from the boundary than this, in spacings, is the middle.
 _PLACES, _APART, _MIDDLE = 96, 0.8, 2.5
-# A way leads through if so much of it is in the middle, and it comes so near to the place inmost,
-# as shares, and is so many times as long as the doors can be apart: no straight passage.
+# A way leads through if a share _INNER of it is in the middle, it comes as near to the inmost place
+# as _DEEP says, and it is _LEAST times as long as doors can be apart: no straight passage.
 _INNER, _DEEP, _LEAST = 0.5, 0.7, 1.3
 # In spacings: ways that differ by no more in the middle differ only in how they come to it.
 _AS_INNER = 0.1

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from .. import core
 
-# Drawn so many times as large, and averaged.
+# How much larger it is drawn before it is averaged.
 _FINER = 2
 _MARGIN = 0.04
 # A point of the line is seen if it is no deeper than this behind the surface, in pixels.

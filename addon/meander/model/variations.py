@@ -11,8 +11,8 @@ from .. import core
 from .opening import open_flow
 from .problem import Problem
 
-# A run ends where its curve fills the surface and is about to be made even: after so many steps
-# grown, and from a full start.
+# A run ends where its curve fills the surface and is about to be made even: iterations of a curve
+# that grows, and of a full start.
 _GROWN, _FULL = 80, 8
 # A curve of more nodes is run wider instead. At the spacing that is proposed there are 6,000.
 _NODES = 7_000.0

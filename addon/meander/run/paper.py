@@ -199,7 +199,7 @@ class DrawingEstimate:
 
 
 def _magnified(extent: core.Extent, larger: float) -> core.Extent:
-    """An extent whose lengths are all so many times as large."""
+    """An extent whose lengths are all `larger` times what they were."""
     return replace(
         extent,
         length_area=extent.length_area * larger**2,

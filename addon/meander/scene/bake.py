@@ -220,7 +220,7 @@ def on_output() -> None:
 
 
 def places_of(first: int, last: int, subframes: int) -> Iterator[float]:
-    """The frames from one to another, and so many places between two of them, each as a frame."""
+    """The frames from `first` to `last`, with `subframes` places between two of them."""
     for place in range((last - first) * (subframes + 1) + 1):
         frame, part = divmod(place, subframes + 1)
         yield first + frame + part / (subframes + 1)

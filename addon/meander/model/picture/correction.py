@@ -25,7 +25,7 @@ from .tone import Tone
 # The least share that is asked for, in times of the lightest: as a place that lies between two
 # strands has it, whatever it asks for.
 _LEAST = 0.5
-# A line that is farther from the tone is corrected, at two mean spacings, and so many times.
+# A line that is farther from the tone, at two mean spacings, is corrected; and how often at most.
 _NEAR_TONE, _CORRECTIONS = 0.01, 2
 # What a correction takes, in times of the first run, and all that there may be with that run.
 _COST = 2.0 / 3.0

@@ -21,7 +21,7 @@ from .sheet import Grid
 _RIM = 0.05
 # Longer pieces of a line are divided before their ink is given to cells, in cells.
 _LONGEST = 0.5
-# A preview is drawn so many times larger, and made smaller.
+# How much larger a preview is drawn before it is made smaller.
 _FINER = 3
 
 

@@ -46,7 +46,7 @@ _CELL = 0.7
 SEGMENT = 0.3
 # How much directions count, where there are any: with 2 the tone suffers.
 ALIGNMENT = 1.0
-# Segments are so many times longer while the line grows. With 3, as elsewhere, strokes of one or
+# How much longer segments are while the line grows. With 3 times, as elsewhere, strokes of one or
 # two pens have hardly any line until the last iterations.
 _COARSENING = 1.5
 # Parts that are cut out are left out where they are smaller, in squares of mean spacings, and
