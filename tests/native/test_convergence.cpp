@@ -431,7 +431,7 @@ TEST(Convergence, OfWhatIsMostlyLaid) {
     FlowSettings settings = with_polish();
     settings.hairpin_removal_iterations = kHairpinRemoval;
     Noting n(true);
-    n.convergence = Convergence(settings, false);
+    n.convergence = Convergence(settings, Beginning::kGrown);
     IterationFigures figures;
     figures.length = 1;
     figures.wanted = figures.moved = 1;

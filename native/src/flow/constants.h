@@ -48,6 +48,10 @@ inline constexpr uint32_t kLongPolishIterations = 140;      // iterations; >= 0;
 inline constexpr uint32_t kFullPolishIterations = 26;       // iterations; >= 0; "Round hairpins"
 inline constexpr uint32_t kLongFullPolishIterations = 60;   // iterations; >= 0; "Full start of finest"
 
+/// And of one on strips that are all narrower than two spacings: nothing can turn there, and segments are as long as
+/// they will be.
+inline constexpr uint32_t kNarrowPolishIterations = 8;      // iterations; >= 0; "Narrow strips"
+
 /// The polish measures balls after this many iterations. 10 instead of 16 is within noise.
 inline constexpr uint32_t kUnmeasuredPolish = 16;           // iterations; >= 0; "What growth sees"
 

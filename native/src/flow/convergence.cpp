@@ -47,11 +47,14 @@ bool swings(std::span<const double> lengths) {
 
 }  // namespace
 
-Convergence::Convergence(const FlowSettings& settings, bool begins_full)
+Convergence::Convergence(const FlowSettings& settings, Beginning beginning)
     : Convergence(settings.stop_rule, settings.polish, settings.hairpin_removal_iterations,
                   polish_iterations(settings, false)) {
   full_polish_iterations_ = polish_iterations(settings, true);
-  if (begins_full) phase_ = Phase::kStarting;
+  if (beginning == Beginning::kNarrow) {
+    full_polish_iterations_ = std::min(full_polish_iterations_, kNarrowPolishIterations);
+  }
+  if (beginning != Beginning::kGrown) phase_ = Phase::kStarting;
 }
 
 Convergence Convergence::restarted(double clamped_share) const {
@@ -75,7 +78,7 @@ Convergence Convergence::restarted(double clamped_share) const {
 }
 
 Convergence Convergence::revised(const FlowSettings& settings, double change, bool regrow) const {
-  Convergence next(settings, settings.full_start);
+  Convergence next(settings, settings.full_start ? Beginning::kFull : Beginning::kGrown);
   next.phase_ = grows_in(phase_) ? phase_ : Phase::kGrowing;
   if (began_full_) next.begin_full();
   if (!settings.polish || !polish_wanted_ || grows_in(phase_)) return next;

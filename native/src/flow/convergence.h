@@ -28,6 +28,9 @@ struct IterationFigures {
   bool laid = false;             ///< the iteration laid something; see Iteration::lay
 };
 
+/// How a flow begins: it grows, or a curve is laid first, and then on strips that are all too narrow to turn in.
+enum class Beginning { kGrown, kFull, kNarrow };
+
 /// Which phase a flow is in, and whether it is at its end: what it is told after every iteration decides. One thread
 /// at a time.
 class Convergence {
@@ -46,9 +49,9 @@ class Convergence {
         hairpin_removal_iterations_(hairpin_removal_iterations),
         polish_iterations_(polish_iterations) {}
 
-  /// Of a new flow with these settings. One that `begins_full` has no hairpins removed and a polish of its own once
-  /// something has been laid; else it grows as if nothing else had been asked for.
-  Convergence(const FlowSettings& settings, bool begins_full);
+  /// Of a new flow with these settings. One that does not begin grown has no hairpins removed and a polish of its own
+  /// once something has been laid; else it grows as if nothing else had been asked for.
+  Convergence(const FlowSettings& settings, Beginning beginning);
 
   /// Takes note of an iteration and of the curve after it, whose metric is given. Whatever it throws, all is then as
   /// it was.

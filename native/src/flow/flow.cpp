@@ -26,11 +26,11 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
 /// Whether a curve is laid first: that was asked for, or nothing can turn or, where nothing was drawn, growth would
 /// leave so much that it is laid in the end all the same. Not in the paper's own program, nor where so wide a strip
 /// along the boundary is to stay empty that a narrow surface has hardly anything to fill.
-bool begins_full(const FlowSettings& settings, const Domain& domain, const Curve& curve, size_t drawn) {
-  if (settings.full_start) return true;
-  if (settings.stop_rule == StopRule::kPaper || settings.boundary_distance > 0.5 || curve.has_guides()) return false;
-  return too_narrow_to_grow(*domain.surface, curve, domain.wanted_radius) ||
-         (drawn == 0 && too_long_to_grow(*domain.surface, domain.wanted_radius));
+Beginning beginning(const FlowSettings& settings, const Domain& domain, const Curve& curve, size_t drawn) {
+  const Beginning asked = settings.full_start ? Beginning::kFull : Beginning::kGrown;
+  if (settings.stop_rule == StopRule::kPaper || settings.boundary_distance > 0.5 || curve.has_guides()) return asked;
+  if (too_narrow_to_grow(*domain.surface, curve, domain.wanted_radius)) return Beginning::kNarrow;
+  return drawn == 0 && too_long_to_grow(*domain.surface, domain.wanted_radius) ? Beginning::kFull : asked;
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
     : pool_(settings.threads),
       drawn_(seed && !seed->offsets.empty() ? seed->offsets.size() - 1 : 0),
       state_(first_state(std::move(surface), seed, density, settings, pool_.with(cancel), seed_fit_)),
-      convergence_(settings, begins_full(settings, state_.domain, state_.curve, drawn_)),
+      convergence_(settings, beginning(settings, state_.domain, state_.curve, drawn_)),
       approach_(settings.start_spacing_factor, settings.radius, state_.domain.surface->area()) {
   ThreadPool pool = pool_.with(cancel);
   if (at_scale()) {
