@@ -30,8 +30,8 @@ constexpr int kRounds = 3, kFineRounds = 1, kSweepsOfRound = 2;
 constexpr size_t kFinest = 2;
 
 /// The finest system is nearly as large as all coarser ones. With more rows than this it is found twice, and what is
-/// known of half-edges as well, so that these do not stand beside them: .3 kB less a node in all, for .8 s of a processor
-/// of a million nodes.
+/// known of half-edges as well, so that these do not stand beside them: .3 kB less a node in all, for .8 s of a
+/// processor of a million nodes.
 constexpr uint32_t kFoundAgain = 1 << 19;
 
 /// The field has no direction in a face where a corner's differs by more than 60 degrees (a cosine) from the middle's,
