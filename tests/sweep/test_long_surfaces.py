@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Narrow strips are filled with the work of a square, by the nodes of all iterations."""
+"""Narrow surfaces are filled, strips with the work of a square by the nodes of all iterations."""
 
 from __future__ import annotations
 
@@ -22,3 +22,11 @@ def test_a_strip_below_a_spacing_takes_the_work_of_a_square(
     assert not is_wrong(row)
     like = fill(square(area_of(mesh), pieces), None, "nothing", 0)
     assert row["node_iterations"] < 1.5 * like["node_iterations"]
+
+
+@pytest.mark.parametrize("pieces", [20, 200])
+def test_a_cone_that_holds_long_segments_is_filled(pieces: int) -> None:
+    """Where it is about a spacing round, nothing moved after 11 and 12 iterations: the flow had
+    stalled, with .14 and .16 of the area empty."""
+    row = fill(SHAPES["cone"](10, 0.8, pieces), None, "nothing", 0)
+    assert not is_wrong(row) and row["strands"] == 1

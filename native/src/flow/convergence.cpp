@@ -181,6 +181,7 @@ void Convergence::note_growth(const IterationFigures& figures, bool rests) {
   const bool far = figures.far_share > kMostFar;
   const bool alone = rests && figures.alone_share > kMostAlone;
   if ((!rest_laid_ && far) || (!alone_laid_ && alone)) {
+    cut_short_ = !rest_laid_ && idle_ > 0;
     rest_laid_ = true;
     alone_laid_ = alone;
     idle_ = 0;
@@ -223,6 +224,7 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
     throw;
   }
   if (mostly_laid && !began_full_) begin_full();
+  if (figures.laid) cut_short_ = false;
   note_approach(figures);
   note_idleness(figures);
   if (rule_ == StopRule::kPaper) {

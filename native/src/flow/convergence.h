@@ -81,6 +81,8 @@ class Convergence {
   Phase phase() const { return phase_; }
   /// Whether something has been laid in the phase kStarting, or later most of the curve.
   bool began_full() const { return began_full_; }
+  /// Whether segments are short from now on: long ones were stuck, and nothing could be laid beside them.
+  bool cut_short() const { return cut_short_; }
   /// How many iterations of the present phase have been noted.
   uint32_t iterations_in_phase() const;
   /// How many iterations in a row have been quiet by the paper's rule, at whose number it ends a run.
@@ -107,7 +109,7 @@ class Convergence {
   StopRule rule_;
   bool polish_wanted_, converged_ = false, stalled_ = false;
   bool fitting_ = false;  // the polish is followed by the last iterations
-  bool began_full_ = false, rest_laid_ = false;
+  bool began_full_ = false, rest_laid_ = false, cut_short_ = false;
   bool loosened_ = false;    // what lay in balance has been pushed
   bool alone_laid_ = false;  // something was tried to be laid beside what lies alone
   double far_before_ = 1;  // far_share when growth would have ended before

@@ -108,8 +108,10 @@ class Flow {
 
  private:
   IterationPlan plan() const {
-    return plan_iteration(state_.settings, convergence_.phase(), convergence_.iterations_in_phase(),
-                          convergence_.began_full());
+    IterationPlan plan = plan_iteration(state_.settings, convergence_.phase(), convergence_.iterations_in_phase(),
+                                        convergence_.began_full());
+    if (convergence_.cut_short()) plan.segment_length = state_.settings.segment_length;
+    return plan;
   }
   void iterate(ThreadPool& pool, const Tell& tell);
   double progress_with(double laid) const;
