@@ -36,8 +36,8 @@ TEST(Aggregates, SpokesJoinTheirHubAtOnce) {
   const Vec2 hub{0.6, 0.8};
   for (uint32_t i = 0; i < rows.size(); ++i) {
     for (uint32_t e = rows.start[i]; e < rows.start[i + 1]; ++e) {
-      const Vec2 taken = rows.weight[e].of(pairs.carry[rows.neighbour[e]].of(hub));
-      EXPECT_NEAR(norm(pairs.carry[i].of(hub) - taken), 0, 1e-12) << i;
+      const Vec2 taken = rows.weight[e] * (pairs.carry[rows.neighbour[e]] * hub);
+      EXPECT_NEAR(norm(pairs.carry[i] * hub - taken), 0, 1e-12) << i;
     }
   }
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <span>
@@ -27,9 +28,9 @@ namespace meander {
 /// A value that is turned on its way, or mirrored and turned, or a sum of both: z becomes turned z + mirrored conj(z).
 struct Mirroring {
   Vec2 turned, mirrored;
-
-  Vec2 of(Vec2 z) const { return turned * z + mirrored * meander::conj(z); }
 };
+inline Vec2 operator*(const Mirroring& m, Vec2 z) { return m.turned * z + m.mirrored * conj(z); }
+inline double norm(const Mirroring& m) { return std::sqrt(dot(m.turned, m.turned) + dot(m.mirrored, m.mirrored)); }
 inline Mirroring operator+(const Mirroring& a, const Mirroring& b) {
   return {a.turned + b.turned, a.mirrored + b.mirrored};
 }
@@ -110,6 +111,39 @@ struct Couplings {
     });
   }
 };
+
+/// Per row one over its weights and that of what holds it; 0 where it has none. `held` is what holds rows, times the
+/// weight of that.
+template <class Weight>
+std::vector<double> shares_of_rows(const Couplings<Weight>& rows, const std::vector<Vec2>& held) {
+  std::vector<double> shares(rows.size(), 0);
+  for (size_t i = 0; i < shares.size(); ++i) {
+    double weight = norm(held[i]);
+    for (uint32_t e = rows.start[i]; e < rows.start[i + 1]; ++e) weight += norm(rows.weight[e]);
+    if (weight > 0) shares[i] = 1 / weight;
+  }
+  return shares;
+}
+
+/// Values become the mean of their neighbours and of what holds them, forwards and backwards as often as `sweeps` says
+/// (Gauss and Seidel). Those with a share of 0 stay.
+template <class Weight, class Values>
+void relax(const Couplings<Weight>& rows, const std::vector<Vec2>& held, const std::vector<double>& shares, int sweeps,
+           Values& values, CancelToken& poll) {
+  const size_t count = rows.size();
+  for (int sweep = 0; sweep < 2 * sweeps; ++sweep) {
+    for (size_t k = 0; k < count; ++k) {
+      poll();
+      const size_t i = sweep % 2 == 0 ? k : count - 1 - k;
+      if (!(shares[i] > 0)) continue;
+      Vec2 sum = held[i];
+      for (uint32_t e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+        sum = sum + rows.weight[e] * values[rows.neighbour[e]];
+      }
+      values[i] = shares[i] * sum;
+    }
+  }
+}
 
 /// Rows in pairs, or alone where no neighbour was left. Where that leaves most of them, as around a hub that is the
 /// only neighbour of thousands, those that are alone join the pair of the neighbour that they are tied to most.

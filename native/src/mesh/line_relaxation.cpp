@@ -65,33 +65,6 @@ Couplings<Vec2> of_faces(const Surface& s, const std::vector<Vec2>& carried, Thr
   });
 }
 
-/// `held`  per row, what holds its line, times the weight of that
-/// Lines for which stays(i) holds are not changed.
-template <class Stays>
-void relax(const Couplings<Vec2>& edges, const std::vector<Vec2>& held, int sweeps, std::vector<Vec2>& lines,
-           const Stays& stays, CancelToken& poll) {
-  const size_t count = edges.size();
-  std::vector<double> share(count, 0);
-  for (size_t i = 0; i < count; ++i) {
-    if (stays(i)) continue;
-    double weight = norm(held[i]);
-    for (uint32_t e = edges.start[i]; e < edges.start[i + 1]; ++e) weight += norm(edges.weight[e]);
-    if (weight > 0) share[i] = 1 / weight;
-  }
-  for (int sweep = 0; sweep < 2 * sweeps; ++sweep) {
-    for (size_t k = 0; k < count; ++k) {
-      poll();
-      const size_t i = sweep % 2 == 0 ? k : count - 1 - k;
-      if (!(share[i] > 0)) continue;
-      Vec2 sum = held[i];
-      for (uint32_t e = edges.start[i]; e < edges.start[i + 1]; ++e) {
-        sum = sum + edges.weight[e] * lines[edges.neighbour[e]];
-      }
-      lines[i] = share[i] * sum;
-    }
-  }
-}
-
 /// Lines of faces, times their areas: along what bends least, by the difference of the squared curvatures.
 std::vector<Vec2> first_lines(const Surface& s, CancelToken& poll) {
   std::vector<Vec2> along(s.face_count());
@@ -203,7 +176,7 @@ LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, 
     std::vector<Vec2> finer(rows.size());
     for (size_t i = 0; i < rows.size(); ++i) finer[i] = pairs.carry[i] * lines[pairs.of[i]];
     lines = std::move(finer);
-    relax(rows, holds, k < kFineLevels ? kFineSweeps : kSweeps, lines, [](size_t) { return false; }, poll);
+    relax(rows, holds, shares_of_rows(rows, holds), k < kFineLevels ? kFineSweeps : kSweeps, lines, poll);
     // Means of lines that disagree are short, and those of such means would vanish.
     for (Vec2& line : lines) line = unit(line);
   }
@@ -213,16 +186,17 @@ LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, 
 LineField field_along_boundary(const Surface& surface, ThreadPool& pool) {
   CancelToken poll = pool.poll(kFacesPerPoll);
   const std::vector<Vec2> carried = carried_across(surface, pool);
+  const Couplings<Vec2> edges = of_faces(surface, carried, pool);
+  const std::vector<Vec2> none(surface.face_count());
   std::vector<Vec2> lines(surface.face_count());
-  std::vector<uint8_t> held(surface.face_count(), 0);
+  std::vector<double> shares = shares_of_rows(edges, none);
   for (const HalfEdge e : surface.boundary()) {
     const Vec2 edge = surface.along(e);
     lines[face_of(e)] = lines[face_of(e)] + norm(edge) * squared(unit(edge));
-    held[face_of(e)] = 1;
+    shares[face_of(e)] = 0;
   }
   for (Vec2& line : lines) line = unit(line);
-  const std::vector<Vec2> none(lines.size());
-  relax(of_faces(surface, carried, pool), none, kSweeps, lines, [&](size_t f) { return held[f] != 0; }, poll);
+  relax(edges, none, shares, kSweeps, lines, poll);
   std::vector<Vec2> squares;
   squares.reserve(3 * lines.size());
   for (const Vec2& line : lines) squares.insert(squares.end(), 3, line);

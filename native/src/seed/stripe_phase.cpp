@@ -90,30 +90,10 @@ struct PhaseLevel {
   std::vector<Vec2> held;  // per row: what holds it, times the weight of that
 };
 
-double size_of(const Mirroring& m) { return std::sqrt(dot(m.turned, m.turned) + dot(m.mirrored, m.mirrored)); }
-
-void relax_phase(const Couplings<Mirroring>& edges, const std::vector<Vec2>& held, int rounds,
-                 Table<Vec2>& values, CancelToken& poll) {
-  const size_t count = edges.size();
-  std::vector<double> share(count, 0);
-  for (size_t i = 0; i < count; ++i) {
-    double weight = norm(held[i]);
-    for (uint32_t e = edges.start[i]; e < edges.start[i + 1]; ++e) weight += size_of(edges.weight[e]);
-    if (weight > 0) share[i] = 1 / weight;
-  }
+void relax_phase(const PhaseLevel& level, int rounds, Table<Vec2>& values, CancelToken& poll) {
+  const std::vector<double> shares = shares_of_rows(level.edges, level.held);
   for (int round = 0; round < rounds; ++round) {
-    for (int sweep = 0; sweep < 2 * kSweepsOfRound; ++sweep) {
-      for (size_t k = 0; k < count; ++k) {
-        poll();
-        const size_t i = sweep % 2 == 0 ? k : count - 1 - k;
-        if (!(share[i] > 0)) continue;
-        Vec2 sum = held[i];
-        for (uint32_t e = edges.start[i]; e < edges.start[i + 1]; ++e) {
-          sum = sum + edges.weight[e].of(values[edges.neighbour[e]]);
-        }
-        values[i] = share[i] * sum;
-      }
-    }
+    relax(level.edges, level.held, shares, kSweepsOfRound, values, poll);
     for (Vec2& value : values) value = norm(value) > 0 ? unit(value) : Vec2{1, 0};
   }
 }
@@ -145,7 +125,7 @@ class StripePhase::Relaxation {
       std::vector<Vec2> sums(pairs.count);
       for (size_t i = 0; i < edges.size(); ++i) {
         Vec2& sum = sums[pairs.of[i]];
-        sum = sum + conj(pairs.carry[i]).of(held[i]);
+        sum = sum + conj(pairs.carry[i]) * held[i];
       }
       Couplings<Mirroring> coarse = pairs.joined(edges, pool_);
       if (found_again) edges = {};
@@ -160,7 +140,7 @@ class StripePhase::Relaxation {
         level.edges = couplings();
       }
       carry_to(level.pairs);
-      relax_phase(level.edges, level.held, k < kFinest ? kFineRounds : kRounds, values_, poll_);
+      relax_phase(level, k < kFinest ? kFineRounds : kRounds, values_, poll_);
     }
     leave_vertices();
     find_crossings();
@@ -170,7 +150,7 @@ class StripePhase::Relaxation {
   /// From pairs to their rows.
   void carry_to(const Pairs<Mirroring>& pairs) {
     Table<Vec2> finer(pairs.of.size());
-    pool_.for_each(finer.size(), kMeshGrain, [&](uint32_t i) { finer[i] = pairs.carry[i].of(values_[pairs.of[i]]); });
+    pool_.for_each(finer.size(), kMeshGrain, [&](uint32_t i) { finer[i] = pairs.carry[i] * values_[pairs.of[i]]; });
     values_ = std::move(finer);
   }
 
