@@ -145,12 +145,10 @@ bool Convergence::has_settled(const Surface& surface, const Curve& curve, const 
   if (picture_ && now - picture_->iteration < kSettledWindow) return false;
   const size_t count = curve.size();
   Picture present{now, std::vector<Vec3>(count), std::vector<uint32_t>(count), std::vector<uint32_t>(count)};
-  pool.for_blocks(count, kNodeGrain, [&](size_t, size_t begin, size_t end) {
-    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
-      present.nodes[i] = position(surface, curve.nodes[i]);
-      present.next[i] = curve.next(i);
-      present.previous[i] = curve.previous(i);
-    }
+  pool.for_each(count, kNodeGrain, [&](uint32_t i) {
+    present.nodes[i] = position(surface, curve.nodes[i]);
+    present.next[i] = curve.next(i);
+    present.previous[i] = curve.previous(i);
   });
   const bool settled = picture_ && change < kSettledLength &&
                        mean_distance(curve, present.nodes, metric, *picture_, pool) < kSettledDistance;

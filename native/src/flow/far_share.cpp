@@ -25,12 +25,10 @@ class FarPlaces {
   FarPlaces(const Domain& domain, const Curve& curve, ThreadPool& pool)
       : domain_(domain), s_(*domain.surface), tree_(positions(s_, curve, pool), pool.poll(kPlaces)),
         components_(curve.size()), patches_(domain.patches ? curve.size() : 0) {
-    pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
-      for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
-        const SurfacePoint& p = curve.nodes[i];
-        components_[i] = s_.component(p.face);
-        if (domain.patches) patches_[i] = domain.patches->patch_of(s_, p);
-      }
+    pool.for_each(curve.size(), kNodeGrain, [&](uint32_t i) {
+      const SurfacePoint& p = curve.nodes[i];
+      components_[i] = s_.component(p.face);
+      if (domain.patches) patches_[i] = domain.patches->patch_of(s_, p);
     });
   }
 
@@ -60,9 +58,7 @@ class FarPlaces {
  private:
   static std::vector<Vec3> positions(const Surface& s, const Curve& curve, ThreadPool& pool) {
     std::vector<Vec3> positions(curve.size());
-    pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
-      for (auto i = static_cast<uint32_t>(begin); i < end; ++i) positions[i] = position(s, curve.nodes[i]);
-    });
+    pool.for_each(curve.size(), kNodeGrain, [&](uint32_t i) { positions[i] = position(s, curve.nodes[i]); });
     return positions;
   }
   static double length(const std::array<Vec2, 3>& corners, uint32_t k) {

@@ -12,11 +12,9 @@ constexpr size_t kMeasuredGrain = 512;
 }  // namespace
 
 void measure_segments(const Surface& surface, Curve& curve, ThreadPool& pool) {
-  pool.for_blocks(curve.size(), kMeasuredGrain, [&](size_t, size_t begin, size_t end) {
-    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
-      if (!curve.has_segment(i)) continue;
-      curve.shapes[i] = measure_path(surface, curve.nodes[i], curve.nodes[curve.next(i)], curve.paths[i]);
-    }
+  pool.for_each(curve.size(), kMeasuredGrain, [&](uint32_t i) {
+    if (!curve.has_segment(i)) return;
+    curve.shapes[i] = measure_path(surface, curve.nodes[i], curve.nodes[curve.next(i)], curve.paths[i]);
   });
 }
 

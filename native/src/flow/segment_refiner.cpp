@@ -35,15 +35,13 @@ void SegmentRefiner::apply(const FlowSettings& settings, const Domain& domain, C
   targets_.resize(curve.size());
   const RadiusField* whole = domain.whole_radius ? &*domain.whole_radius : nullptr;
   const double longest = settings.growth_coarsening * settings.segment_length;
-  pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
-    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
-      const double h = curve.on_guide(i) ? guide_length : plan.segment_length, r = state.metric.radius[i];
-      targets_[i] = h * r / settings.radius;
-      if (!whole || curve.on_guide(i)) continue;
-      // Where r is that of the room, segments need not be as much shorter than they were asked for.
-      const double wanted = h * whole->at(*domain.surface, curve.nodes[i]) / settings.radius;
-      targets_[i] = std::max(targets_[i], std::min(wanted, longest * r / settings.radius));
-    }
+  pool.for_each(curve.size(), kNodeGrain, [&](uint32_t i) {
+    const double h = curve.on_guide(i) ? guide_length : plan.segment_length, r = state.metric.radius[i];
+    targets_[i] = h * r / settings.radius;
+    if (!whole || curve.on_guide(i)) return;
+    // Where r is that of the room, segments need not be as much shorter than they were asked for.
+    const double wanted = h * whole->at(*domain.surface, curve.nodes[i]) / settings.radius;
+    targets_[i] = std::max(targets_[i], std::min(wanted, longest * r / settings.radius));
   });
   if (refinement_.refine(*domain.surface, state.curve, targets_, pool, origin_, plan.most_turn)) {
     state.nodes.follow(origin_, pool);

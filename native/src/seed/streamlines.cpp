@@ -123,14 +123,12 @@ class Drawer {
   /// sooner on one thread.
   void look_ahead() {
     constexpr size_t kPlacesAtATime = 32;
-    pool_.for_blocks(places_.size(), kPlacesAtATime, [&](size_t, size_t begin, size_t end) {
-      for (size_t k = begin; k < end; ++k) {
-        Place& place = places_[k];
-        if (is_full(place.node.point)) continue;
-        place.node = network_.make_node(place.node.point, static_cast<uint32_t>(lines_.size()), 0);
-        if (pool_.size() == 1 || is_known(place.node) || network_.beside_boundary(place.node.patch)) continue;
-        place.crowding = crowding_.at_start(place.node, apart_, place.node.radius);
-      }
+    pool_.for_each(places_.size(), kPlacesAtATime, [&](uint32_t k) {
+      Place& place = places_[k];
+      if (is_full(place.node.point)) return;
+      place.node = network_.make_node(place.node.point, static_cast<uint32_t>(lines_.size()), 0);
+      if (pool_.size() == 1 || is_known(place.node) || network_.beside_boundary(place.node.patch)) return;
+      place.crowding = crowding_.at_start(place.node, apart_, place.node.radius);
     });
   }
 
