@@ -13,12 +13,14 @@ ROOT = Path(__file__).resolve().parents[2]
 FILES = sorted((ROOT / "native" / "src").glob("*/constants.h"))
 HEADINGS = re.findall(r"^#+ (.*)$", (ROOT / "docs" / "decisions.md").read_text(), re.MULTILINE)
 LINE = re.compile(r"constexpr \w+ (k\w+) = ([^;]+);\s*// ([^;]+); ([^;]+); (.+)")
+NUMBERS = {"pi": math.pi, "sqrt2": math.sqrt(2.0)}
 FIGURES = re.compile(r'\d|"\w+: ')  # numbers, or the subject of a commit that has them
 
 
 def value_of(said: str) -> float:
     """A number, or a product such as "2 * std::numbers::pi / 3"."""
-    value, *factors = re.split(r" ([*/]) ", said.replace("std::numbers::pi", str(math.pi)))
+    said = re.sub(r"std::numbers::(\w+)", lambda name: str(NUMBERS[name[1]]), said)
+    value, *factors = re.split(r" ([*/]) ", said)
     result = float(value)
     for sign, factor in zip(factors[::2], factors[1::2], strict=True):
         result = result * float(factor) if sign == "*" else result / float(factor)

@@ -18,6 +18,13 @@ inline constexpr double kMeanSegment = 1.39;                // h; 1 to 2; above
 /// Samples of the boundary are at most this far apart.
 inline constexpr double kBoundarySampling = 0.5;            // h; > 0; free
 
+/// On narrow strips r is less than was asked for, but no less than kLeastOfRadius: there segments are so short that a
+/// strip takes hundreds of times as many as a square of its area. A line along the middle fills a strip up to the width
+/// kAlongMiddle, and two strands do it better from there on: what one is farther from both sides than r, over r, is
+/// what r is over the distance of the two.
+inline constexpr double kLeastOfRadius = 0.1;               // share of r; 0 to 1; "Narrow strips"
+inline constexpr double kAlongMiddle = 2 * std::numbers::sqrt2;  // r; > 2; geometry
+
 // ---- The plan: hairpin removal --------------------------------------------------------------------------------------
 
 /// Of the runs between opposite hairpins this share is drawn in, the shortest ones.
@@ -169,6 +176,12 @@ inline constexpr double kMostPowerAtStrips = 4;             // power; >= 2; abov
 /// eight times as fast, and with a factor of 8 voids at the boundary are filled too late.
 inline constexpr double kPushStiffness = 3;                 // times; 1 to 8; "Necks"
 
+/// Two strands between boundaries 3 r apart, which leave a ball less than kSqueezedRoom: the push of the boundary falls
+/// twice as fast as that of the ball between them grows, so steps half as long again as Newton's lead 2.25 times as far
+/// as they should, and back. With twice the stiffness both come to rest.
+inline constexpr double kSqueezedRoom = 0.9;                // r; 0 to 1; free
+inline constexpr double kSqueezedStiffness = 2;             // times; 1 to 8; geometry
+
 // ---- The step -------------------------------------------------------------------------------------------------------
 
 /// A node moves no farther than this share of its medial radius on the side to which it moves, so that it cannot leap
@@ -199,13 +212,17 @@ inline constexpr double kGrownLength = 0.02;                // share of the leng
 inline constexpr double kGrownClamped = 0.01;               // share of the nodes; 0 to 1; free
 inline constexpr double kGrownForSure = 0.005;              // share of the length; 0 to kGrownLength; free
 
+/// It also ends when the curve has been no longer, by kGrownForSure, in kSwingWindow than before.
+inline constexpr size_t kSwingWindow = 60;                  // iterations; >= 1; "Growth that swings"
+
 /// What is farther than kFarFromNodes from every node has no strand that will fill it soon. Where that is more than
 /// kMostFar, growth is not at its end: the rest is laid, and what is left then is left to strands for as long as it
 /// becomes less by kLessFar in kGrowthWindow. On all compact surfaces of scripts/fingerprints.py nothing is far when
-/// growth ends.
+/// growth ends. Parts of faces are divided until they reach no farther than kFarGrain from their middle.
 inline constexpr double kFarFromNodes = 3.2;                // r; > 2; "The rest is laid"
 inline constexpr double kMostFar = 0.001;                   // share of the area; 0 to 1; free
 inline constexpr double kLessFar = 0.0005;                  // share of the area; > 0; free
+inline constexpr double kFarGrain = 0.7;                    // r; > 0; free
 
 /// A rest that is laid and makes the curve this many times as long is what the curve is: it is finished as one that has
 /// filled the surface from its start.

@@ -34,10 +34,6 @@ double mean_distance(const Curve& curve, const std::vector<Vec3>& nodes, const L
   });
 }
 
-/// Growth has ended, too, when it has been no longer, by kGrownForSure, in as many iterations than before those, >= 1:
-/// strands of two or three nodes on a patch of a spacing and a half swing for ever, with a period of 90.
-constexpr size_t kSwingWindow = 60;
-
 /// Whether these lengths go up and down, and for long no higher than before: of a few nodes, that come and go.
 bool swings(std::span<const double> lengths) {
   if (lengths.size() <= 2 * kSwingWindow) return false;

@@ -13,9 +13,6 @@
 namespace meander {
 namespace {
 
-/// Parts of a face are divided until they reach no farther from their middle, in r.
-constexpr double kGrain = 0.7;
-
 /// Places between two asks.
 constexpr uint32_t kPlaces = 256;
 
@@ -40,7 +37,7 @@ class FarPlaces {
     for (const Vec2& corner : corners) reach = std::max(reach, norm(corner - middle));
     const SurfacePoint p = point_at(s_, face, middle);
     const double r = domain_.rest / domain_.correction * domain_.radius.at(s_, p), far = kFarFromNodes * r;
-    const bool small = reach < kGrain * r;
+    const bool small = reach < kFarGrain * r;
     // What is so near to a node that all of the triangle is near to it need not be divided.
     if (small || reach < far) {
       if (any_nearer(p, small ? far : far - reach)) return 0;

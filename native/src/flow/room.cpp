@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "flow/constants.h"
@@ -12,10 +11,6 @@
 
 namespace meander {
 namespace {
-
-/// A strip is filled by a line along its middle up to this width, in r, and better by two strands from then on: what
-/// one is farther from both sides than r, over r, is what r is over the distance of the two.
-constexpr double kAlongMiddle = 2 * std::numbers::sqrt2;
 
 /// Per component: an open strand grows in it.
 std::vector<uint8_t> with_open_strand(const Surface& surface, const Curve& curve) {
@@ -52,7 +47,7 @@ Room leave_room(const Surface& surface, const Curve& curve, RadiusField& radius)
     for (const uint32_t v : surface.face(f)) most[v] = strips[k].width / (alone[k] ? 2 : 4);
   }
   const RadiusField before = radius;
-  radius.limit(most, kLeastRoom);
+  radius.limit(most, kLeastOfRadius);
   return {true, radius != before};
 }
 

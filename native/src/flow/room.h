@@ -8,10 +8,6 @@
 
 namespace meander {
 
-/// A component narrower than 4 r times this has no room for a line and its way back; from 0 to 1. Below, segments are
-/// so much shorter than asked for that a strip takes hundreds of times as many as a square of its area.
-inline constexpr double kLeastRoom = 0.1;
-
 /// What was found.
 struct Room {
   bool narrow = false;   ///< some component is a strip that is narrower than 4 r

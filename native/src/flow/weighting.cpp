@@ -212,13 +212,13 @@ void bend_as_room_allows(const Weighting& w) {
   });
 }
 
-/// Whether a node has less room than this share of r on both sides, and on one of them it is the boundary that pushes.
+/// Whether a node has less room than kSqueezedRoom on both sides, and on one of them it is the boundary that pushes.
 bool is_squeezed(const Weighting& w, size_t i) {
-  constexpr double kRoom = 0.9;
   const Radii& felt = w.medial.felt_radii[i];
   const auto pushes = [](const ReachOfSide& side) { return side.driving < side.radius; };
   const Reach& reach = w.medial.reach[i];
-  return std::max(felt[0], felt[1]) < kRoom * w.state.metric.radius[i] && (pushes(reach[0]) || pushes(reach[1]));
+  const double most = kSqueezedRoom * w.state.metric.radius[i];
+  return std::max(felt[0], felt[1]) < most && (pushes(reach[0]) || pushes(reach[1]));
 }
 
 /// Whether a node lies alone between two boundaries of which one pushes.
@@ -227,11 +227,6 @@ bool is_between_boundaries(const Weighting& w, size_t i) {
   const auto ends_ball = [&](size_t side) { return reach[side].radius <= w.medial.radii[i][side]; };
   return ends_ball(0) && ends_ball(1) && (reach[0].driving < reach[0].radius || reach[1].driving < reach[1].radius);
 }
-
-/// Two strands between boundaries 3 r apart: the push of the boundary falls twice as fast as that of the ball between
-/// them grows, so steps half as long again as Newton's lead 2.25 times as far as they should, and back. With twice the
-/// stiffness both come to rest.
-constexpr double kSqueezedStiffness = 2;
 
 /// Where the boundary pushes harder than an empty ball does, its push falls faster than that of strands. A step that
 /// does not know it is too long, and carries a node back and forth between two boundaries for ever.
