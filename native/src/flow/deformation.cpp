@@ -5,7 +5,6 @@
 //
 // Points of the curve are weights of a face's corners and shares of an edge, and within a face an affine
 // map keeps what lies on which side: a curve without crossings that rides along has none afterwards.
-#include <type_traits>
 #include <utility>
 
 #include "base/failure.h"
@@ -73,18 +72,7 @@ void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map, co
     next.nodes.radii.swap(work_.medial.radii);
     clamped = clamped_share(next.curve, next.nodes.radii, next.metric, pool);
   }
-  Convergence convergence = convergence_.restarted(clamped);
-  const IterationPlan plan = plan_iteration(next.settings, convergence.phase(), 0, convergence.began_full());
-  work_.refiner.cut_guides(next, plan, pool);
-  work_.refiner.refine(next, plan, pool);
-  update_metric(next, pool);
-
-  static_assert(std::is_nothrow_move_assignable_v<FlowState> && std::is_nothrow_move_assignable_v<Convergence>);
-  state_ = std::move(next);
-  convergence_ = std::move(convergence);
-  approach_.rescale(factor);
-  record_.seconds.move = seconds;
-  record_.restart(factor);
+  go_on_from(std::move(next), convergence_.restarted(clamped), factor, seconds, pool);
 }
 
 }  // namespace meander

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 #include "base/failure.h"
 #include "base/stopwatch.h"
@@ -123,6 +125,23 @@ void Flow::note(IterationFigures figures, const CurveState& after, ThreadPool& p
     state_.domain.set_radius(approach_.next(figures), after.curve, state_.settings);
     convergence_.note_approach(figures);
   }
+}
+
+/// Puts another state in the place of the present one, with segments as its phase wants them: a new beginning for
+/// run(). In its unit lengths are `factor` times as large. What it throws, it throws before it has changed anything.
+void Flow::go_on_from(FlowState next, Convergence convergence, double factor, const MoveSeconds& seconds,
+                      ThreadPool& pool) {
+  const IterationPlan plan = plan_iteration(next.settings, convergence.phase(), 0, convergence.began_full());
+  work_.refiner.cut_guides(next, plan, pool);
+  work_.refiner.refine(next, plan, pool);
+  update_metric(next, pool);
+
+  static_assert(std::is_nothrow_move_assignable_v<FlowState> && std::is_nothrow_move_assignable_v<Convergence>);
+  state_ = std::move(next);
+  convergence_ = std::move(convergence);
+  approach_.rescale(factor);
+  record_.seconds.move = seconds;
+  record_.restart(factor);
 }
 
 double Flow::progress() const { return progress_with(0); }

@@ -117,6 +117,7 @@ class Flow {
   double progress_with(double laid) const;
   void note(IterationFigures figures, const CurveState& after, ThreadPool& pool);
   void measure_again(ThreadPool& pool);
+  void go_on_from(FlowState next, Convergence convergence, double factor, const MoveSeconds& seconds, ThreadPool& pool);
   /// Those of the last medial axis become radii(), once nothing can fail any more.
   void keep_radii() noexcept { state_.nodes.radii.swap(work_.medial.radii); }
   bool at_scale() const { return state_.domain.surface != state_.domain.given; }

@@ -2,7 +2,6 @@
 //
 // Another spacing, another density, other weights: the flow goes on from where it is.
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 #include "base/elementary.h"
@@ -64,16 +63,7 @@ void Flow::revise(FlowSettings settings, const VertexData<double>* density, cons
   Convergence convergence = convergence_.revised(settings, mean_change(state_, next, pool),
                                                  grows_otherwise(state_.settings, settings));
   if (grows_in(convergence.phase())) next.domain.correct(1);
-  const IterationPlan plan = plan_iteration(settings, convergence.phase(), 0, convergence.began_full());
-  work_.refiner.cut_guides(next, plan, pool);
-  work_.refiner.refine(next, plan, pool);
-  update_metric(next, pool);
-
-  static_assert(std::is_nothrow_move_assignable_v<FlowState> && std::is_nothrow_move_assignable_v<Convergence>);
-  state_ = std::move(next);
-  convergence_ = std::move(convergence);
-  record_.seconds.move = seconds;
-  record_.restart(1);
+  go_on_from(std::move(next), std::move(convergence), 1, seconds, pool);
 }
 
 }  // namespace meander
