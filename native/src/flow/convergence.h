@@ -20,8 +20,7 @@ struct IterationFigures {
   double wanted = 0;             ///< mean length of the displacements, in the local r
   double moved = 0;              ///< mean distance that nodes have really gone, in the local r
   double displacement_norm = 0;  ///< |d|_2 / n of the displacements, in r (the paper's rule)
-  /// Of the surface, what is far from the curve (far_share); only where Convergence::asks_what_is_far.
-  double far_share = 0;
+  double far_share = 0;          ///< of the area, what is far from the curve; only where asks_what_is_far()
   double alone_share = 0;        ///< of the nodes, those that lie_alone
   double slack_share = 0;        ///< of the nodes, those with room on both sides (slack_share)
   double correction = 1;         ///< of r, for the next iteration; see Domain
@@ -53,17 +52,17 @@ class Convergence {
   /// once something has been laid; else it grows as if nothing else had been asked for.
   Convergence(const FlowSettings& settings, Beginning beginning);
 
-  /// Takes note of an iteration and of the curve after it, whose metric is given. Whatever it throws, all is then as
-  /// it was.
+  /// Takes note of an iteration and of the curve after it, whose metric is given. Strong guarantee: if it throws,
+  /// nothing has been noted.
   void note(const Surface& surface, const Curve& curve, const LocalMetric& metric, const IterationFigures& figures,
             ThreadPool& pool);
 
-  /// Whether it wants to know how much is far from the curve after an iteration with these figures: growth would end,
-  /// has lasted long, or is stuck. `side` is that of a square as large as the surface, in r.
-  bool asks_what_is_far(const IterationFigures& figures, double side) const;
-
-  /// The same of an iteration on the way to the spacing asked for (Fig. 25), of which only counts what it has laid.
+  /// The same of an iteration on the way to the spacing asked for (Fig. 25): all that counts of it is what it has laid.
   void note_approach(const IterationFigures& figures) noexcept;
+
+  /// Whether the next note() needs far_share of an iteration with these figures: growth would end, has lasted long, or
+  /// is stuck. `side` is that of a square as large as the surface, in r.
+  bool asks_what_is_far(const IterationFigures& figures, double side) const;
 
   /// What it is once the surface has moved: what was seen before counts no more. A curve that fills the surface
   /// already, with little of it at the clamp (see clamped_share), need not grow again and is only finished.
@@ -73,7 +72,7 @@ class Convergence {
   /// goes on with that. One that was at its end is fitted: a shorter polish, and no waiting until the picture rests.
   /// Where too much has changed since it grew, or other weights grow another curve, it grows again.
   ///
-  /// `settings`  those from now on
+  /// `settings`  the new ones
   /// `change`    of r: the mean over the curve of |ln(r / r before)|
   /// `regrow`    whether the weights of growth are others
   Convergence revised(const FlowSettings& settings, double change, bool regrow) const;
@@ -111,7 +110,7 @@ class Convergence {
   bool fitting_ = false;  // the polish is followed by the last iterations
   bool began_full_ = false, rest_laid_ = false, cut_short_ = false;
   bool loosened_ = false;    // what lay in balance has been pushed
-  bool alone_laid_ = false;  // something was tried to be laid beside what lies alone
+  bool alone_laid_ = false;  // laying a way back beside what lies alone has been tried
   double far_before_ = 1;  // far_share when growth would have ended before
   uint32_t full_polish_iterations_ = 0;  // where it begins full
   double change_ = 0;     // of r since the curve grew; see revised()

@@ -44,13 +44,13 @@ class Flow {
   /// Nodes stay on their faces where they are, segments become straight again, and lengths mean the same
   /// in the caller's units. A curve that fills the surface goes on in the polish. Counts for run() as a
   /// new beginning. Throws Failure for what Surface::deformed refuses and for a surface that has become too small
-  /// or too large for the spacing, and where `cancel` stops it; whatever it throws, all is then as it was.
+  /// or too large for the spacing, and where `cancel` stops it. Strong guarantee: if it throws, the flow is unchanged.
   void set_vertices(std::span<const double> vertices, const MeshMap* map = nullptr, const CancelToken& cancel = {});
 
   /// Asks for something else from here on: `settings` are those wanted on the present surface, `density` as for a new
   /// flow, null: as it is. What only a beginning needs (first loops, a wide start) and the number of threads stay.
   /// The curve goes on from where it is, see Convergence::revised; counts for run() as a new beginning. What asks for
-  /// nothing else changes nothing. Whatever it throws, all is then as it was.
+  /// nothing else changes nothing. Strong guarantee: if it throws, the flow is unchanged.
   void revise(FlowSettings settings, const VertexData<double>* density = nullptr, const CancelToken& cancel = {});
 
   /// As it was given. The flow itself runs on it as it is at the scale of the spacing, see Domain; the curve is on
@@ -92,8 +92,8 @@ class Flow {
     CrossingTest& crossings;    ///< for its memory
   };
   /// Returns question(Present). Brings radii() up to date and changes nothing else. Throws
-  /// Failure(FailureKind::kCancelled) where `cancel` stops it; whatever is thrown, also by the question, all is then as
-  /// it was.
+  /// Failure(FailureKind::kCancelled) where `cancel` stops it. Strong guarantee: whatever is thrown, also by the
+  /// question, the flow is unchanged.
   template <class Question>
   auto ask(const Question& question, const CancelToken& cancel = {}) {
     ThreadPool pool = pool_.with(cancel);

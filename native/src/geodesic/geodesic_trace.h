@@ -67,7 +67,7 @@ class GeodesicWalk {
   bool ended_ = false, hit_boundary_ = false;
 };
 
-/// So many walks take turns, or the two walks of each of so many nodes: enough that they wait for memory together.
+/// How many walks take turns, or nodes with two walks each: enough that they wait for memory together.
 inline constexpr uint32_t kTogether = 16;
 
 /// Takes all walks, 2 kTogether at most, to their ends in turns; calls crossed(k) after walk k has crossed an edge.

@@ -20,8 +20,8 @@ namespace {
 /// Places farther apart than this through space, in r, are not compared: a ball of about the wanted size ends before.
 constexpr double kReach = 2.8;
 
-/// What is farther along the surface than this, in r, is hidden if it is near through space. Ways over the middles of
-/// patches, by which that is known, are up to so many times as long as the shortest.
+/// What is farther along the surface than this, in r, is hidden if it is near through space. That is known by ways over
+/// the middles of patches, which are up to kLonger times as long as the shortest.
 constexpr double kHidden = 3, kLonger = 1.2;
 
 /// Balls reach twice as far as the clamp. Where that is wider than this, in r, it is taken for this: in balls as wide a

@@ -85,8 +85,8 @@ class Clearance {
   }
 
  private:
-  /// It is looked for so many times as far as asked: farther costs more, but answers for more places. Where it may be
-  /// near, places this near to where it was asked for, in `far`, are not asked for again.
+  /// It is looked for kFarther times as far as asked: farther costs more, but answers for more places. Where it may be
+  /// near, it is not looked for again from places within kBelieved `far` of where it was.
   static constexpr double kFarther = 2, kBelieved = 0.5;
 
   const CurveBvh& boundary_;

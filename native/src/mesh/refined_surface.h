@@ -98,7 +98,7 @@ class RefinedSurface {
   /// Puts the other diagonal of the two faces beside an edge in its place; it has the same number. inside(h) holds, and
   /// the two faces are convex together.
   void flip(HalfEdge h);
-  /// Makes room for what so many divisions add.
+  /// Makes room for what `count` divisions add.
   void reserve_divisions(size_t count);
 
  private:

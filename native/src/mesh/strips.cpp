@@ -58,8 +58,8 @@ Farthest farthest_from(const Surface& surface, const Neighbours& neighbours, con
   return found;
 }
 
-/// Places spread over the area of a component, and how many of them may be farther from the boundary than so many
-/// widths of a strip: no place of a strip is farther than half a width, of a needle than one.
+/// Of kPlaces places, spread over the area of a component, kMostDeep may be farther than kDeep widths from the boundary
+/// of a strip: no place of a strip is farther than half a width, none of a needle farther than one.
 constexpr uint32_t kPlaces = 64, kMostDeep = kPlaces / 4;
 constexpr double kDeep = 2;
 

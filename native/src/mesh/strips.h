@@ -11,7 +11,7 @@
 
 namespace meander {
 
-/// A strip is so many times as long as wide.
+/// The least ratio of length to width of a strip.
 inline constexpr double kLeastStrip = 5;
 
 /// A component as the rectangle that has its area and its boundary; infinite where there is none, as of a disc.

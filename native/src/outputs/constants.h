@@ -25,7 +25,7 @@ inline constexpr double kBendStiffness = 1.8;       // tolerances; > 0; "Round t
 inline constexpr double kRoundingStep = 0.12;       // r; > 0; free
 inline constexpr int kRoundingSteps = 14;           // steps; >= 1; "Round turns"
 inline constexpr int kStepsPerSpread = 5;           // steps; >= 1; free
-/// Bounds that a solution leaves are held in the next one, so many times.
+/// How often bounds that a solution leaves are held in another one.
 inline constexpr int kBoundTries = 4;               // solutions; >= 1; free
 
 /// How near to each other rounding may take strands.

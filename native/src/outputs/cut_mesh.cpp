@@ -110,7 +110,7 @@ class CutMesh::Builder {
     }
   }
 
-  /// About so many come with the detail.
+  /// About how many points the detail adds.
   size_t expected_points() const {
     if (!(detail_ > 0)) return 0;
     check_room(surface_.area() / (detail_ * detail_));

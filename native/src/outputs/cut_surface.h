@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A surface cut along the curve as it leaves the library: in the caller's units, in terms of his mesh.
+// A surface cut along the curve as it leaves the library: in the units and the indices of the caller's mesh.
 #pragma once
 
 #include <array>

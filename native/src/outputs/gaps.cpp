@@ -129,7 +129,7 @@ class Told {
   void at(double share) const {
     if (share_) *share_ = share;
   }
-  /// The loops that follow go over so many blocks, and from one share to another.
+  /// The loops that follow go over `blocks` blocks, while the share that is done rises from one to the other.
   void begin(double from, double to, size_t blocks) {
     from_ = from;
     step_ = (to - from) / static_cast<double>(std::max<size_t>(1, blocks));

@@ -16,7 +16,7 @@ namespace {
 constexpr int kSidesteps = 48;
 constexpr double kSidestep = 1.0 / 32;
 
-/// Legs are as good where they are farther from the boundary than this, in r. Each is asked at so many places.
+/// Legs are as good where they are farther from the boundary than this, in r. Each is measured at kPlacesOfLeg places.
 constexpr double kClearEnough = 0.5;
 constexpr int kPlacesOfLeg = 4;
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kStep = 0.5;       // of points, in radii
 constexpr double kLeast = 6;        // length of a strand, in radii
 constexpr double kBeside = 3;       // arc length within which a line is not beside itself, in radii
-constexpr double kFineness = 4;     // edges near the boundary go so many times into the distance
+constexpr double kFineness = 4;     // the distance over the longest edge near the boundary
 constexpr uint32_t kFacesPerPoll = 1024;  // faces and points from one poll to the next
 
 /// A closed line, in the surface's own unit and in the caller's space.
