@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
+
 #include "meander/meander.h"
 
 namespace meander::test {
@@ -35,6 +37,21 @@ Struct prepared() {
   Struct s;
   EXPECT_EQ(init(&s), MEANDER_STATUS_OK);
   return s;
+}
+
+/// The seed that stands in arrays of the caller's: `fixed` for each point, `guides` for each strand.
+inline meander_seed seed_in(std::span<const double> points, std::span<const uint64_t> offsets,
+                            std::span<const uint8_t> closed, const uint8_t* fixed = nullptr,
+                            const uint8_t* guides = nullptr) {
+  auto seed = prepared<meander_seed>();
+  seed.points = points.data();
+  seed.point_count = points.size() / 3;
+  seed.offsets = offsets.data();
+  seed.closed = closed.data();
+  seed.strand_count = closed.size();
+  seed.fixed = fixed;
+  seed.guides = guides;
+  return seed;
 }
 
 inline meander_context* new_context() {

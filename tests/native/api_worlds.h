@@ -159,15 +159,8 @@ meander_status open_seeded_flow(World& world, meander_error* error) {
   const double points[] = {0.05, 0.8, 0, 0.95, 0.8, 0, 0.1, 0.1, 0, 0.9, 0.15, 0};
   const uint64_t offsets[] = {0, 2, 4};
   const uint8_t closed[] = {0, 0}, fixed[] = {0, 0, 1, 1}, guides[] = {1, 0};
-  auto seed = prepared<meander_seed>();
+  meander_seed seed = seed_in(points, offsets, closed, fixed, guides);
   seed.fill_regions = 1;
-  seed.points = points;
-  seed.point_count = 4;
-  seed.strand_count = 2;
-  seed.offsets = offsets;
-  seed.closed = closed;
-  seed.fixed = fixed;
-  seed.guides = guides;
   meander_flow_options options = flow_options(0.3, MEANDER_PRESET_EVEN);
   options.threads = world.threads;
   return CALLED(flow_create)(world.surface, &seed, world.given.data(), world.mesh.vertex_count(), &options,
@@ -215,13 +208,8 @@ void make_long_flow(World& world) {
   }
   const uint64_t offsets[] = {0, kPoints};
   const uint8_t closed[] = {1};
-  auto seed = prepared<meander_seed>();
-  seed.points = points;
-  seed.point_count = kPoints;
-  seed.strand_count = 1;
+  meander_seed seed = seed_in(points, offsets, closed);
   seed.max_distance = 0.5;
-  seed.offsets = offsets;
-  seed.closed = closed;
   const meander_flow_options options = flow_options(0.1, MEANDER_PRESET_EVEN);
   check(meander_flow_create(world.surface, &seed, nullptr, 0, &options, &world.flow, nullptr, nullptr));
 }

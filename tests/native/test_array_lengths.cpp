@@ -92,12 +92,7 @@ TEST_F(ArrayLengths, OfASeed) {
   const double points[] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   const uint8_t closed[] = {1, 0};
   uint64_t offsets[] = {0, 3, 3};
-  auto seed = prepared<meander_seed>();
-  seed.points = points;
-  seed.offsets = offsets;
-  seed.closed = closed;
-  seed.point_count = 3;
-  seed.strand_count = 1;
+  meander_seed seed = seed_in(points, offsets, {closed, 1});
   EXPECT_EQ(refusal(&seed, nullptr, 0), "");
   seed.point_count = 2;
   EXPECT_EQ(refusal(&seed, nullptr, 0),

@@ -263,13 +263,7 @@ TEST(Deformation, FixedNodesStayWhereTheyAreOnTheirFaces) {
   const double points[] = {2, 2, 0, 5, 2.5, 0, 8, 2, 0};
   const uint64_t offsets[] = {0, 3};
   const uint8_t closed[] = {0}, fixed[] = {1, 0, 1};
-  auto seed = prepared<meander_seed>();
-  seed.point_count = 3;
-  seed.strand_count = 1;
-  seed.points = points;
-  seed.offsets = offsets;
-  seed.closed = closed;
-  seed.fixed = fixed;
+  const meander_seed seed = seed_in(points, offsets, closed, fixed);
   const FlowHandle flow = make_flow(mesh, options_with(1), &seed);
   step(flow, 40);
   const SurfacePoint first = flow->flow->curve().nodes.front(), last = flow->flow->curve().nodes.back();
@@ -302,15 +296,9 @@ std::vector<double> line_of_guide(const Curve& curve) {
 TEST(Deformation, GuidesRideAsDrawn) {
   const Mesh mesh = flat_grid(14);
   const std::vector<double> points{0.1, 0.33, 0, 0.87, 0.71, 0};
-  const std::vector<uint64_t> offsets{0, 2};
-  const uint8_t closed = 0, guides = 1;
-  auto seed = prepared<meander_seed>();
-  seed.point_count = 2;
-  seed.strand_count = 1;
-  seed.points = points.data();
-  seed.offsets = offsets.data();
-  seed.closed = &closed;
-  seed.guides = &guides;
+  const uint64_t offsets[] = {0, 2};
+  const uint8_t closed[] = {0}, guides[] = {1};
+  meander_seed seed = seed_in(points, offsets, closed, nullptr, guides);
   seed.fill_regions = 1;
   const FlowHandle flow = make_flow(mesh, options_with(0.1), &seed);
   step(flow, 30);

@@ -643,12 +643,7 @@ std::vector<Refusal> refusals() {
                        const double points[] = {0.05, 0.05, 0, 0.95, 0.2, 0, 0.95, 0.05, 0, 0.05, 0.2, 0};
                        const uint64_t offsets[] = {0, 4};
                        const uint8_t closed[] = {0};
-                       auto seed = prepared<meander_seed>();
-                       seed.points = points;
-                       seed.point_count = 4;
-                       seed.strand_count = 1;
-                       seed.offsets = offsets;
-                       seed.closed = closed;
+                       const meander_seed seed = seed_in(points, offsets, closed);
                        const meander_flow_options options = flow_options(0.3, MEANDER_PRESET_EVEN);
                        return meander_flow_create(world.surface, &seed, nullptr, 0, &options, &world.flow, nullptr,
                                                   error);

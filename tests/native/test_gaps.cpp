@@ -54,17 +54,9 @@ class FlowRun {
           const std::vector<double>& density = {}) {
     meander_flow_options options = options_with(2 * radius, threads);
     EXPECT_EQ(meander_flow_options_set_tuning(&options, "growth_coarsening", 1, nullptr), MEANDER_STATUS_OK);
-    auto seed = prepared<meander_seed>();
-    std::vector<uint8_t> fixed;
-    if (strands) {
-      fixed.assign(strands->points.size() / 3, 1);
-      seed.point_count = fixed.size();
-      seed.strand_count = strands->closed.size();
-      seed.points = strands->points.data();
-      seed.offsets = strands->offsets.data();
-      seed.closed = strands->closed.data();
-      seed.fixed = fixed.data();
-    }
+    const std::vector<uint8_t> fixed(strands ? strands->points.size() / 3 : 0, 1);
+    meander_seed seed;
+    if (strands) seed = seed_in(strands->points, strands->offsets, strands->closed, fixed.data());
     flow_ = make_flow(surface_of(mesh).get(), options, strands ? &seed : nullptr, density);
   }
 

@@ -143,12 +143,7 @@ TEST(PointData, OpenStrandsEndWhereTheyEnd) {
   const double points[] = {2, 2, 0, 8, 2, 0, 2, 8, 0, 8, 8, 0};
   const uint64_t offsets[] = {0, 2, 4};
   const uint8_t closed[] = {0, 0};
-  auto seed = prepared<meander_seed>();
-  seed.point_count = 4;
-  seed.strand_count = 2;
-  seed.points = points;
-  seed.offsets = offsets;
-  seed.closed = closed;
+  const meander_seed seed = seed_in(points, offsets, closed);
   const Grown r = grow(mesh, 1, 0, &seed);
   check(mesh, r);
   // Straight along x, and arc lengths start again from 0.

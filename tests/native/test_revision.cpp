@@ -193,14 +193,7 @@ TEST(Revision, FixedNodesAndGuidesStay) {
   const double points[] = {0.2, 0.2, 0, 0.5, 0.25, 0, 0.8, 0.2, 0, 0.2, 0.7, 0, 0.8, 0.75, 0};
   const uint64_t offsets[] = {0, 3, 5};
   const uint8_t closed[] = {0, 0}, fixed[] = {1, 0, 1, 0, 0}, guides[] = {0, 1};
-  auto seed = prepared<meander_seed>();
-  seed.point_count = 5;
-  seed.strand_count = 2;
-  seed.points = points;
-  seed.offsets = offsets;
-  seed.closed = closed;
-  seed.fixed = fixed;
-  seed.guides = guides;
+  const meander_seed seed = seed_in(points, offsets, closed, fixed, guides);
   const FlowHandle flow = make_flow(mesh, options_with(0.1), &seed);
   step(flow, 30);
   const Curve before = flow->flow->curve();

@@ -46,13 +46,7 @@ class Draw {
 
   FlowHandle make(uint32_t threads) {
     options_.threads = threads;
-    auto seed = prepared<meander_seed>();
-    seed.point_count = fixed_.size();
-    seed.strand_count = closed_.size();
-    seed.points = points_.data();
-    seed.offsets = offsets_.data();
-    seed.closed = closed_.data();
-    seed.fixed = fixed_.data();
+    const meander_seed seed = seed_in(points_, offsets_, closed_, fixed_.data());
     FlowHandle flow = make_flow(surface_.get(), options_, closed_.empty() ? nullptr : &seed, density_);
     if (flow && options_.alignment_weight > 0) {
       check(meander_flow_set_directions(flow.get(), directions_.data(), mesh_.vertex_count(), across_, &error_));

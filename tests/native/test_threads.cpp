@@ -71,12 +71,7 @@ std::vector<double> long_story(uint32_t threads) {
   }
   const uint64_t offsets[] = {0, kPoints};
   const uint8_t closed[] = {1};
-  auto seed = prepared<meander_seed>();
-  seed.points = points.data();
-  seed.point_count = kPoints;
-  seed.strand_count = 1;
-  seed.offsets = offsets;
-  seed.closed = closed;
+  const meander_seed seed = seed_in(points, offsets, closed);
   meander_flow* const flow = flow_on(surface, 0.046, threads, &seed);
   meander_surface_destroy(surface);
   step(flow, 2);
