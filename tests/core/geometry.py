@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 if TYPE_CHECKING:
     from meander.core import Polylines
@@ -24,8 +24,8 @@ class Mesh(NamedTuple):
     faces: NDArray[np.uint32]
 
 
-def mesh(vertices: Sequence, faces: Sequence) -> Mesh:
-    """A mesh from nested lists."""
+def mesh(vertices: ArrayLike, faces: ArrayLike) -> Mesh:
+    """A mesh from nested lists, or arrays of any shape."""
     return Mesh(
         np.array(vertices, dtype=np.float64).reshape(-1, 3),
         np.array(faces, dtype=np.uint32).reshape(-1, 3),
@@ -74,17 +74,22 @@ def octahedron() -> Mesh:
     return mesh(corners, faces)
 
 
-def tube(around: int, along: int, height: float) -> Mesh:
-    """A pipe of radius 1, open at both ends."""
+def surface_over(rows: NDArray[np.float64], closed: bool = False) -> Mesh:
+    """The quads between rows of points (m, n, 3), two faces each; `closed`: each row is."""
+    number = np.arange(rows.shape[0] * rows.shape[1]).reshape(rows.shape[:2])
+    if closed:
+        number = np.column_stack([number, number[:, 0]])
+    a, b, c, d = number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1]
+    return mesh(rows, np.stack([a, b, c, a, c, d], axis=-1))
+
+
+def tube(around: int, along: int, height: float, radius: float = 1.0) -> Mesh:
+    """A pipe about the z axis, open at both ends."""
     angles = 2 * np.pi * np.arange(around) / around
-    levels = np.linspace(0.0, height, along + 1)
-    vertices = [[np.cos(a), np.sin(a), z] for z in levels for a in angles]
-    faces = []
-    for j in range(along):
-        for i in range(around):
-            a, b = j * around + i, j * around + (i + 1) % around
-            faces += [[a, b, b + around], [a, b + around, a + around]]
-    return mesh(vertices, faces)
+    angle, level = np.meshgrid(angles, np.linspace(0.0, height, along + 1))
+    return surface_over(
+        np.stack([radius * np.cos(angle), radius * np.sin(angle), level], axis=-1), closed=True
+    )
 
 
 def icosphere(subdivisions: int) -> Mesh:
@@ -136,16 +141,25 @@ def torus(around: int, across: int, radius: float = 1.0, tube: float = 0.4) -> M
     return mesh(vertices, faces)
 
 
+def rectangle(low: Sequence, high: Sequence, across: int, up: int) -> Mesh:
+    """From one corner to the other in the plane z = 0, in so many cells of two faces."""
+    x, y = np.meshgrid(
+        np.linspace(low[0], high[0], across + 1), np.linspace(low[1], high[1], up + 1)
+    )
+    return surface_over(np.stack([x, y, np.zeros_like(x)], axis=-1))
+
+
 def grid(cells: int, size: float = 1.0) -> Mesh:
     """The square [0, size]^2 in the plane z = 0 of 2 * cells^2 faces."""
-    steps = np.linspace(0.0, size, cells + 1)
-    vertices = [(x, y, 0.0) for y in steps for x in steps]
-    faces = []
-    for j in range(cells):
-        for i in range(cells):
-            a = j * (cells + 1) + i
-            faces += [(a, a + 1, a + cells + 2), (a, a + cells + 2, a + cells + 1)]
-    return mesh(vertices, faces)
+    return rectangle((0.0, 0.0), (size, size), cells, cells)
+
+
+def disc(cells: int, diameter: float) -> Mesh:
+    """About the origin: the squares around the middle of a grid become rings."""
+    square = rectangle((-1.0, -1.0), (1.0, 1.0), cells, cells)
+    largest = np.abs(square.vertices).max(axis=1, keepdims=True)
+    away = np.linalg.norm(square.vertices, axis=1, keepdims=True)
+    return Mesh(0.5 * diameter * square.vertices * largest / np.maximum(away, 1e-9), square.faces)
 
 
 def two_spheres() -> Mesh:

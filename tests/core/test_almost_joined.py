@@ -11,6 +11,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
+from flows import options_of
 from meander import batch, core
 from meander.model.joining import joining_of
 from meander.model.preparation import Repair
@@ -113,8 +114,7 @@ def a_hill() -> geometry.Mesh:
 
 def problem_of(mesh: geometry.Mesh, scale: float = 1.0, merge: float = 0.0) -> Problem:
     vertices = np.asarray(mesh.vertices, dtype=np.float64) * scale
-    options = core.default_options()
-    options.radius = 0.5 * SPACING * scale
+    options = options_of(radius=0.5 * SPACING * scale)
     prepared = Repair(merge_distance=merge).options(vertices, options.radius)
     return Problem(
         vertices, np.asarray(mesh.faces, dtype=np.uint32), options, surface_options=prepared

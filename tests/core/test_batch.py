@@ -12,7 +12,8 @@ import geometry
 import numpy as np
 import pytest
 from conftest import PACKAGE, without_blender
-from meander import batch, core
+from flows import fill
+from meander import core
 from meander.binding import abi
 from meander.cli import command
 from meander.cli.place import Place
@@ -31,9 +32,7 @@ def run(tmp_path: Path, capsys: pytest.CaptureFixture):
     """Runs the command in this process: exit code, stdout, stderr."""
 
     def call(mesh: Path, *extra: str) -> tuple[int, str, str]:
-        arguments = ["--input", mesh, "--output", tmp_path / "out.obj"]
-        arguments += ["--report", tmp_path / "out.json", *extra]
-        code = batch.main([str(argument) for argument in arguments])
+        code = fill(mesh, tmp_path / "out.obj", "--report", tmp_path / "out.json", *extra)
         captured = capsys.readouterr()
         return code, captured.out, captured.err
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
-from meander import batch
+from flows import fill
 from meander.model.files import obj
 from sentences import assert_sentence
 
@@ -22,8 +22,7 @@ def ball(tmp_path: Path) -> Path:
 
 
 def run(ball: Path, folder: Path, *extra: object) -> int:
-    arguments = ["--input", ball, "--output", folder / "curve.obj", "--spacing", SPACING]
-    return batch.main([str(item) for item in (*arguments, "--quiet", *extra)])
+    return fill(ball, folder / "curve.obj", "--spacing", SPACING, "--quiet", *extra)
 
 
 def read_ply(path: Path) -> dict[str, list[dict[str, object]]]:

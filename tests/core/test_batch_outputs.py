@@ -10,7 +10,7 @@ import threading
 from pathlib import Path
 
 import pytest
-from meander import batch
+from flows import fill
 from meander.model import report
 from meander.model.files import obj
 from sentences import assert_sentence
@@ -26,8 +26,7 @@ def square(tmp_path: Path) -> Path:
 
 
 def run(square: Path, output: Path, *extra: object) -> int:
-    arguments = ["--input", square, "--output", output, "--spacing", 0.4, "--iterations", 2]
-    return batch.main([str(item) for item in (*arguments, "--quiet", *extra)])
+    return fill(square, output, "--spacing", 0.4, "--iterations", 2, "--quiet", *extra)
 
 
 def names(folder: Path) -> list[str]:

@@ -10,7 +10,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
-from meander import batch
+from flows import fill
 from meander.model.files import meshes
 from sentences import assert_sentence
 
@@ -21,8 +21,7 @@ def square(tmp_path: Path) -> Path:
 
 
 def _run(square: Path, name: str, *extra: str) -> int:
-    arguments = ["--input", square, "--output", square.parent / name, "--spacing", "0.25"]
-    return batch.main([str(argument) for argument in (*arguments, "--quiet", *extra)])
+    return fill(square, square.parent / name, "--spacing", "0.25", "--quiet", *extra)
 
 
 def test_step_and_tolerance_give_the_same_curve(square: Path) -> None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import geometry
 import numpy as np
 import pytest
+from flows import options_of
 from meander import core
 from sentences import assert_sentence
 from test_prepared_mesh import grid
@@ -44,9 +45,7 @@ def with_holes() -> core.Surface:
 
 
 def fill(surface: core.Surface, distance: float, spacing: float = SPACING) -> core.Flow:
-    options = core.default_options()
-    options.radius = spacing / 2
-    options.boundary_distance = distance
+    options = options_of(radius=spacing / 2, boundary_distance=distance)
     flow = core.Flow(surface, options)
     flow.run()
     assert flow.statistics()["crossings"] == 0
@@ -156,9 +155,7 @@ def test_a_curve_does_not_begin_in_a_strip_to_be_left_empty(
 
 def test_the_density_scales_the_distance() -> None:
     vertices, faces = grid(1)
-    options = core.default_options()
-    options.radius = SPACING
-    options.boundary_distance = 1.0
+    options = options_of(radius=SPACING, boundary_distance=1.0)
     flow = core.Flow(core.Surface(vertices, faces), options, density=np.full(4, 4.0))
     flow.run()
     outline = distances(square_outline(), flow.polylines()) / SPACING
@@ -173,10 +170,7 @@ def test_distances_that_make_no_sense_are_refused() -> None:
         {"boundary_distance": float("nan")},
         {"boundary_distance": 1.0, "boundary_rule": core.BoundaryRule.OBSTACLE},
     ):
-        options = core.default_options()
-        options.radius = SPACING / 2
-        for name, value in change.items():
-            setattr(options, name, value)
+        options = options_of(radius=SPACING / 2, **change)
         with pytest.raises(core.MeanderError, match="boundary_distance") as refusal:
             core.Flow(surface, options)
         assert_sentence(str(refusal.value))

@@ -16,6 +16,7 @@ import geometry
 import numpy as np
 import pytest
 from conftest import REPOSITORY
+from flows import options_of
 from meander import batch, core
 from meander.model import bundle
 from meander.model.files import obj
@@ -30,8 +31,7 @@ BROKEN = core.MeanderError(SENTENCE, core.Status.INTERNAL)
 def whole_problem() -> Problem:
     """One with everything that a problem can have."""
     vertices, faces = geometry.grid(12)
-    options = core.default_options("finest")
-    options.radius, options.alignment_weight, options.threads = 0.04, 0.5, 1
+    options = options_of("finest", radius=0.04, alignment_weight=0.5, threads=1)
     points = np.array([[0.2, 0.2, 0.0], [0.8, 0.3, 0.0], [0.3, 0.8, 0.0], [0.2, 0.5, 0.0]])
     fixed = np.array([1, 0, 1, 0], dtype=np.uint8)
     seed = core.Seed(

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 import xml.etree.ElementTree as ElementTree
 
+import geometry
 import numpy as np
 import pytest
 from meander.model.camera import CameraPage, Page
@@ -35,16 +36,9 @@ def looking_down(
 
 def grid(cells: int, size: float, z: float = 0.0) -> Triangles:
     """A square of side `size` round the z axis."""
-    steps = (np.arange(cells + 1) / cells - 0.5) * size
-    x, y = (each.ravel() for each in np.meshgrid(steps, steps))
-    first = (np.arange(cells)[:, None] * (cells + 1) + np.arange(cells)).ravel()
-    faces = np.vstack(
-        [
-            np.column_stack([first, first + 1, first + cells + 2]),
-            np.column_stack([first, first + cells + 2, first + cells + 1]),
-        ]
-    )
-    return Triangles(np.column_stack([x, y, np.full(len(x), z)]), faces)
+    half = 0.5 * size
+    square = geometry.rectangle((-half, -half), (half, half), cells, cells)
+    return Triangles(square.vertices + (0.0, 0.0, z), square.faces.astype(np.int64))
 
 
 def area(mesh: Triangles) -> np.ndarray:

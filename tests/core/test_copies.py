@@ -8,6 +8,7 @@ from dataclasses import replace
 import geometry
 import numpy as np
 import pytest
+from flows import options_of
 from meander import core
 from meander.model.copies import Copies, copies_of
 from meander.model.opening import open_flow
@@ -34,8 +35,7 @@ def potato() -> geometry.Mesh:
 
 def problem_of(bodies: list[geometry.Mesh], spacing: float = SPACING, **more) -> Problem:
     firsts = np.cumsum([0] + [len(body.vertices) for body in bodies])
-    options = core.default_options("even")
-    options.radius, options.iteration_limit = spacing / 2.0, more.pop("iterations", 300)
+    options = options_of(radius=spacing / 2.0, iteration_limit=more.pop("iterations", 300))
     return Problem(
         np.vstack([body.vertices for body in bodies]),
         np.vstack([body.faces + first for body, first in zip(bodies, firsts)]).astype(np.uint32),

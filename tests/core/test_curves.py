@@ -9,6 +9,7 @@ import geometry
 import numpy as np
 import pytest
 from conftest import Grown, grow
+from flows import options_of
 from meander import core
 
 # Rounding of sums of doubles.
@@ -199,8 +200,7 @@ def test_a_sliver_for_a_first_face_is_no_trap(preset: str) -> None:
     vertices[3:, :2] = [(-1, -1), (2, -1), (2, 2), (-1, 2)]
     p, q, s, a, b, c, d = range(7)
     faces = [(p, q, s), (a, b, q), (a, q, p), (b, c, q), (q, c, s), (s, c, d), (s, d, p), (d, a, p)]
-    options = core.default_options(preset)
-    options.radius = 0.1
+    options = options_of(preset, radius=0.1)
     with core.Flow(core.Surface(vertices, np.array(faces, dtype=np.uint32)), options) as flow:
         assert len(set(flow.nodes().faces)) > 1
         first = flow.polylines().positions

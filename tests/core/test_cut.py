@@ -6,15 +6,13 @@ from __future__ import annotations
 import geometry
 import numpy as np
 import pytest
+from flows import flow_on
 from geometry import triangle_areas
 from meander import core
 
 
 def grown(mesh: geometry.Mesh, radius: float, seed: core.Seed | None = None) -> core.Flow:
-    options = core.default_options("even")
-    options.radius = radius
-    with core.Surface(mesh.vertices, mesh.faces) as surface:
-        flow = core.Flow(surface, options, seed)
+    flow = flow_on(mesh, seed=seed, radius=radius)
     flow.run()
     return flow
 
@@ -88,10 +86,7 @@ def test_what_does_not_part_the_surface_has_sides_of_the_nearest_strand() -> Non
     mesh = geometry.grid(6)
     points = np.array([[0.3, 0.52, 0.0], [0.7, 0.52, 0.0]])
     seed = core.Seed(points, [0, 2], [0], fixed=[1, 1])
-    options = core.default_options("even")
-    options.radius = 0.1
-    with core.Surface(mesh.vertices, mesh.faces) as surface:
-        flow = core.Flow(surface, options, seed)
+    flow = flow_on(mesh, seed=seed, radius=0.1)
     cut = core.cut_surface(flow, detail=0.05, middle_lines=True)
     assert cut.regions.max() == 0
     assert np.array_equal(cut.sides, cut.nearest_sides)
@@ -114,10 +109,7 @@ def test_guides_are_left_out_and_parts_without_a_strand_are_kept() -> None:
     circle = np.stack((0.8 * np.cos(turn), 0.8 * np.sin(turn), np.full(60, 0.6)), axis=1)
     guide = circle * (1, 1, -1)
     seed = core.Seed(np.concatenate((circle, guide)), [0, 60, 120], [1, 1], guides=[0, 1])
-    options = core.default_options("even")
-    options.radius = 0.2
-    with core.Surface(mesh.vertices, mesh.faces) as surface:
-        flow = core.Flow(surface, options, seed)
+    flow = flow_on(mesh, seed=seed, radius=0.2)
     cut = core.cut_surface(flow)
     assert cut.line_strands.tolist() == [0]
     empty = cut.strands == core.NO_STRAND
@@ -131,9 +123,6 @@ def test_guides_are_left_out_and_parts_without_a_strand_are_kept() -> None:
 @pytest.mark.parametrize("detail", [-1.0, float("nan"), float("inf"), 1e-9])
 def test_a_detail_that_cannot_be_is_refused(detail: float) -> None:
     mesh = geometry.icosphere(1)
-    options = core.default_options("even")
-    options.radius = 0.3
-    with core.Surface(mesh.vertices, mesh.faces) as surface:
-        flow = core.Flow(surface, options)
+    flow = flow_on(mesh, radius=0.3)
     with pytest.raises(core.MeanderError, match="detail"):
         core.cut_surface(flow, detail)

@@ -4,6 +4,7 @@
 import geometry
 import numpy as np
 import pytest
+from flows import flow_on
 from meander import core
 
 
@@ -11,11 +12,7 @@ def test_a_prepared_part_of_a_mesh_follows_the_whole_mesh():
     vertices, faces = geometry.tube(28, 22, 5.0)
     heights = vertices[:, 2].copy()
     preparation = core.SurfaceOptions(vertex_mask=5.0 - heights, mask_threshold=1.9)
-    options = core.default_options()
-    options.radius = 0.3
-    with core.Surface(vertices, faces, preparation) as surface:
-        flow = core.Flow(surface, options)
-    with flow:
+    with flow_on((vertices, faces), preparation=preparation, radius=0.3) as flow:
         flow.run()
         for stretch in (1.2, 1.4):
             moved = vertices * [1.0, 1.0, stretch]

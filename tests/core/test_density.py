@@ -5,8 +5,10 @@ from __future__ import annotations
 
 import colorsys
 
+import geometry
 import numpy as np
 import pytest
+from flows import options_of
 from meander import core
 from meander.model import density
 from meander.model.density import Choice, Ramp
@@ -147,21 +149,11 @@ def test_corners_are_averaged_at_their_vertex():
 
 def test_a_steep_ramp_in_the_corner_where_the_curve_begins_does_not_stop_it():
     # The first face of a grid is in its corner; the outline of that face was squeezed flat there.
-    across, along = 61, 81
-    x, y = np.meshgrid(np.linspace(-1.33, 1.33, along), np.linspace(-1.0, 1.0, across))
-    vertices = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
-    corner = (np.arange(across - 1)[:, None] * along + np.arange(along - 1)).ravel()
-    faces = np.concatenate(
-        [
-            np.column_stack([corner, corner + 1, corner + along + 1]),
-            np.column_stack([corner, corner + along + 1, corner + along]),
-        ]
-    )
-    place = (x.ravel() + 1.33) / 2.66
+    mesh = geometry.rectangle((-1.33, -1.0), (1.33, 1.0), 80, 60)
+    place = (mesh.vertices[:, 0] + 1.33) / 2.66
     factors = np.interp(place, (0.0, 0.35, 0.7, 1.0), (1.0, 0.3, 1.0, 0.58))
-    options = core.default_options("even")
-    options.radius = 0.06
-    surface = core.Surface(vertices, faces.astype(np.uint32))
+    options = options_of(radius=0.06)
+    surface = core.Surface(*mesh)
     flow = core.Flow(surface, options, density=1.0 / factors**2)
     assert flow.run() == "converged"
     expected = np.sum(surface.statistics()["area"]) / (2.0 * options.radius)

@@ -10,6 +10,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
+from flows import fill
 from meander import batch
 from meander.cli import density
 from meander.model.density import Choice
@@ -99,8 +100,7 @@ def test_numbers_of_a_ply_are_a_density(tmp_path: Path, binary: bool) -> None:
 
 
 def _run(path: Path, *extra: object) -> int:
-    given = ("--input", path, "--output", path.with_suffix(".json"), "--spacing", 0.12)
-    return batch.main([str(each) for each in (*given, "--quiet", *extra)])
+    return fill(path, path.with_suffix(".json"), "--spacing", 0.12, "--quiet", *extra)
 
 
 def test_the_curve_is_closer_where_it_is_bright(tmp_path: Path) -> None:

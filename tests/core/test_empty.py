@@ -12,6 +12,7 @@ import geometry
 import numpy as np
 import pytest
 from conftest import PACKAGE
+from flows import flow_on
 from meander import batch, core
 from meander.cli import command
 from meander.cli.place import Place
@@ -24,36 +25,15 @@ from sentences import assert_sentence
 SAMPLED = 0.01
 
 
-def strip(length: float, width: float, pieces: int) -> tuple[np.ndarray, np.ndarray]:
+def strip(length: float, width: float, pieces: int) -> geometry.Mesh:
     """A flat strip along x of so many quads."""
-    x = np.linspace(0.0, length, pieces + 1)
-    rows = [np.column_stack([x, np.full_like(x, y), np.zeros_like(x)]) for y in (0.0, width)]
-    k = np.arange(pieces, dtype=np.uint32)
-    above = k + pieces + 1
-    lower, upper = [k, k + 1, above + 1], [k, above + 1, above]
-    faces = np.vstack([np.column_stack(lower), np.column_stack(upper)])
-    return np.vstack(rows), faces.astype(np.uint32)
-
-
-def pipe(length: float, radius: float, pieces: int, around: int) -> tuple[np.ndarray, np.ndarray]:
-    i, j = np.meshgrid(np.arange(pieces + 1), np.arange(around), indexing="ij")
-    angle = 2.0 * np.pi * j / around
-    points = [i * length / pieces, radius * np.cos(angle), radius * np.sin(angle)]
-    i, j = i[:-1], j[:-1]
-    a, b = i * around + j, i * around + (j + 1) % around
-    c, d = a + around, b + around
-    faces = np.stack([np.stack([a, c, d], -1), np.stack([a, d, b], -1)])
-    return np.stack(points, -1).reshape(-1, 3), faces.reshape(-1, 3).astype(np.uint32)
+    return geometry.rectangle((0.0, 0.0), (length, width), pieces, 1)
 
 
 def gaps_after(
     mesh: tuple[np.ndarray, np.ndarray], radius: float, steps: int, seed: core.Seed | None = None
 ) -> tuple:
-    options = core.default_options()
-    options.radius = radius
-    with core.Surface(*mesh) as surface:
-        flow = core.Flow(surface, options, seed)
-    with flow:
+    with flow_on(mesh, seed=seed, radius=radius) as flow:
         for _ in range(steps):
             flow.step()
         return flow.gaps(), flow.polylines()
@@ -82,11 +62,11 @@ def test_what_is_narrower_than_a_spacing_counts_by_itself() -> None:
         ends = np.stack([corners.mean(axis=0), 0.5 * (corners.mean(axis=0) + corners[0])])
         return core.Seed(ends, np.array([0, 2], np.uint32), np.zeros(1, np.uint8))
 
-    for mesh in (strip(6.0, 0.08, 30), pipe(6.0, 0.013, 30, 8)):
+    for mesh in (strip(6.0, 0.08, 30), geometry.tube(8, 30, 6.0, 0.013)):
         gaps, _curve = gaps_after(mesh, 0.05, 3, stroke(mesh))
         assert gaps.narrow_share > 0.8 and gaps.empty_share == 0.0
         assert np.all(gaps.narrow)
-    for mesh in (strip(6.0, 0.13, 30), pipe(6.0, 0.022, 30, 8)):
+    for mesh in (strip(6.0, 0.13, 30), geometry.tube(8, 30, 6.0, 0.022)):
         gaps, _curve = gaps_after(mesh, 0.05, 3, stroke(mesh))
         assert gaps.empty_share > 0.8 and gaps.narrow_share < 0.01
 
@@ -127,11 +107,7 @@ def test_the_points_of_sharp_corners_are_narrow() -> None:
 
 def test_a_filled_surface_is_not_empty() -> None:
     mesh = geometry.icosphere(3)
-    options = core.default_options()
-    options.radius = 0.12
-    with core.Surface(*mesh) as surface:
-        flow = core.Flow(surface, options)
-    with flow:
+    with flow_on(mesh, radius=0.12) as flow:
         assert flow.run() == "converged"
         empty = empty_of(flow.gaps())
     assert empty.share == empty.narrow == 0.0 and not empty.matters
@@ -142,13 +118,10 @@ def test_bodies_in_one_another_are_empty_each_by_itself() -> None:
     ball = geometry.icosphere(3)
     vertices = np.vstack([ball.vertices, ball.vertices + [0.3, 0.0, 0.0]])
     faces = np.vstack([ball.faces, ball.faces + np.uint32(len(ball.vertices))])
-    options = core.default_options()
-    options.radius = 0.12
     turns = np.linspace(0.0, 2.0 * np.pi, 40, endpoint=False)
     ring = np.column_stack([0.0 * turns, np.cos(turns), np.sin(turns)])
     seed = core.Seed(ring, np.array([0, 40], np.uint32), np.ones(1, np.uint8), max_distance=0.05)
-    with core.Surface(vertices, faces) as surface:
-        flow = core.Flow(surface, options, seed)
+    flow = flow_on((vertices, faces), seed=seed, radius=0.12)
     with flow:
         flow.run()
         gaps = flow.gaps()
@@ -157,10 +130,7 @@ def test_bodies_in_one_another_are_empty_each_by_itself() -> None:
 
 
 def test_the_search_for_gaps_can_be_cancelled() -> None:
-    options = core.default_options()
-    options.radius = 0.12
-    with core.Surface(*geometry.icosphere(3)) as surface:
-        flow = core.Flow(surface, options)
+    flow = flow_on(geometry.icosphere(3), radius=0.12)
     with flow, core.Context() as context:
         flow.step()
         context.cancel()
@@ -296,7 +266,7 @@ def test_a_flow_without_a_radius_takes_the_automatic_one(caplog) -> None:
     ],
 )  # fmt: skip
 def test_quality_knows_the_presets_of_the_panel(tmp_path: Path, given, expected) -> None:
-    mesh = geometry.write_obj(tmp_path / "sheet.obj", geometry.Mesh(*strip(1.0, 1.0, 4)))
+    mesh = geometry.write_obj(tmp_path / "sheet.obj", strip(1.0, 1.0, 4))
     code, _said, report = run(
         tmp_path, mesh, "--iterations", "2", "--spacing", "0.2", "--quality", *given
     )

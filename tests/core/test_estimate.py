@@ -10,6 +10,7 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
+import flows
 import geometry
 import numpy as np
 import pytest
@@ -33,9 +34,7 @@ WITHIN = 0.15
 
 
 def options_of(preset: str, spacing: float) -> core.FlowOptions:
-    options = core.default_options(preset)
-    options.radius = spacing / 2.0
-    return options
+    return flows.options_of(preset, radius=spacing / 2.0)
 
 
 def points_of_run(vertices, faces, options, density=None, face_mask=None) -> tuple[int, float]:

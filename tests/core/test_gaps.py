@@ -6,20 +6,18 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from conftest import MODELS
+from flows import flow_on
 from meander import core
 from sentences import assert_sentence
 
 
-def flow_on(name: str) -> tuple[float, core.Flow]:
+def flow_of(name: str) -> tuple[float, core.Flow]:
     make, radius = MODELS[name]
-    options = core.default_options()
-    options.radius = radius
-    with core.Surface(*make()) as surface:
-        return radius, core.Flow(surface, options)
+    return radius, flow_on(make(), radius=radius)
 
 
 def test_a_filled_surface_has_small_gaps() -> None:
-    radius, flow = flow_on("torus")
+    radius, flow = flow_of("torus")
     with flow:
         flow.step()
         assert flow.gaps().sizes[0] > 3
@@ -35,7 +33,7 @@ def test_a_filled_surface_has_small_gaps() -> None:
 
 @pytest.mark.parametrize("size", [0.5, -1.0, float("nan"), float("inf")])
 def test_sizes_out_of_range_are_refused(size: float) -> None:
-    _radius, flow = flow_on("cube")
+    _radius, flow = flow_of("cube")
     with flow, pytest.raises(core.MeanderError) as refusal:
         flow.gaps(size)
     assert_sentence(str(refusal.value))

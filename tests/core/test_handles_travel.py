@@ -16,6 +16,7 @@ import geometry
 import numpy as np
 import pytest
 from conftest import PACKAGE
+from flows import options_of
 from meander import core
 from meander.model.files import whole
 from meander.model.files.whole import NotWritten
@@ -34,8 +35,7 @@ COPIES: dict[str, Callable[[Any], Any]] = {
 
 
 def options() -> core.FlowOptions:
-    chosen = core.default_options()
-    chosen.radius = 0.05
+    chosen = options_of(radius=0.05)
     return chosen
 
 

@@ -13,6 +13,7 @@ from types import ModuleType
 
 import pytest
 from conftest import REPOSITORY
+from flows import options_of
 from meander import core
 from meander.binding import abi, flow_options, native_library
 
@@ -163,8 +164,7 @@ def test_tunings_are_the_presets_until_they_are_set() -> None:
 
 
 def test_an_unknown_tuning_is_refused_by_a_sentence_that_lists_the_names() -> None:
-    options = core.default_options()
-    options.radius = 0.1
+    options = options_of(radius=0.1)
     options.tunings["polish_length_game"] = 1.0
     with pytest.raises(core.MeanderError) as refusal:
         core.estimate_cost(core.Extent(10, 1.0, 1.0, 1.0), options)

@@ -10,6 +10,7 @@ import geometry
 import numpy as np
 import pytest
 import test_mirror
+from flows import options_of
 from meander import core
 from meander.model.geometry.half_mesh import section
 from meander.model.geometry.reflection import mirror_of
@@ -131,8 +132,7 @@ def test_directions_that_are_given_are_kept() -> None:
 
 def test_rows_lead_to_the_plane_whatever_options_a_run_takes_on_its_way() -> None:
     """As Live has it take others, which know nothing of the plane."""
-    options = core.default_options("even")
-    options.radius, options.alignment_weight = 0.1, 1.0
+    options = options_of(radius=0.1, alignment_weight=1.0)
     ball = bumpy(3)
     along = np.tile([0.0, 1.0, 0.0], (len(ball.vertices), 1))
     for directions, weight in ((None, None), (along, 1.0)):

@@ -14,6 +14,7 @@ from pathlib import Path
 import geometry
 import pytest
 from conftest import PACKAGE
+from flows import options_of
 from meander import core
 from meander.binding.interruption import heard
 from meander.model.opening import open_flow
@@ -25,8 +26,7 @@ _PATIENCE = 60.0
 
 def _sheet() -> Problem:
     mesh = geometry.grid(4)
-    options = core.default_options("even")
-    options.radius = 0.05
+    options = options_of(radius=0.05)
     return Problem(mesh.vertices, mesh.faces, options, outline=0.05)
 
 
@@ -66,8 +66,7 @@ def test_what_makes_a_flow_heeds_a_cancelled_context():
 def test_a_field_that_takes_long_ends_when_it_is_cancelled():
     # Directions of curvature of 40,000 vertices take seconds, and so does their density.
     mesh = geometry.grid(200)
-    options = core.default_options("even")
-    options.radius = 0.05
+    options = options_of(radius=0.05)
     for field in ("density", "directions"):
         computed = []
 

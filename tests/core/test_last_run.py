@@ -7,6 +7,7 @@ import time
 
 import numpy as np
 import pytest
+from flows import flow_on
 from geometry import icosphere
 from meander import core
 from meander.model import last_run
@@ -68,11 +69,9 @@ def test_the_words_of_what_is_left():
 
 def test_evenness_is_counted_over_nodes_and_phases_come_in_order():
     vertices, faces = icosphere(3)
-    options = core.default_options("even")
-    options.radius = 0.1
     context, phases = core.Context(), []
     assert context.phase == "none"
-    flow = core.Flow(core.Surface(vertices, faces), options)
+    flow = flow_on((vertices, faces), radius=0.1)
     flow.start(context)
     while flow.running:
         phases.append(context.phase)

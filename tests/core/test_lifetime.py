@@ -15,6 +15,7 @@ import geometry
 import numpy as np
 import pytest
 from conftest import PACKAGE
+from flows import flow_on, options_of
 from meander import core
 from meander.binding import calls, native_library
 from meander.binding import runs as flow_module
@@ -25,10 +26,7 @@ PATIENCE = 30.0
 
 
 def new_flow(cells: int = 8, radius: float = 0.03) -> core.Flow:
-    options = core.default_options()
-    options.radius = radius
-    with core.Surface(*geometry.grid(cells)) as surface:
-        return core.Flow(surface, options)  # outlives its surface
+    return flow_on(geometry.grid(cells), radius=radius)
 
 
 def wait_for(condition) -> None:
@@ -132,8 +130,7 @@ def test_forgotten_handles_are_freed() -> None:
 def test_arrays_of_the_caller_are_not_kept() -> None:
     mesh = geometry.grid(8)
     vertices, faces = mesh.vertices.copy(), mesh.faces.copy()
-    options = core.default_options()
-    options.radius = 0.05
+    options = options_of(radius=0.05)
     with core.Surface(vertices, faces) as surface:
         vertices.fill(np.nan)
         faces.fill(0)
@@ -242,10 +239,7 @@ def test_cancel_ends_a_started_run_within_one_step() -> None:
 
 
 def test_a_started_flow_refuses_everything_else() -> None:
-    options = core.default_options()
-    options.radius = 0.03
-    options.iteration_limit = 3
-    with core.Surface(*geometry.grid(8)) as surface, core.Flow(surface, options) as flow:
+    with flow_on(geometry.grid(8), radius=0.03, iteration_limit=3) as flow:
         for call in (flow.wait, flow.preview):
             with pytest.raises(core.MeanderError, match="started") as refusal:
                 call()
@@ -352,9 +346,7 @@ print(flow.running)
 
 def test_spacing_is_that_of_the_medial_radii() -> None:
     """Also of a wide loop that sees nothing, whose radii the flow changes to set it in motion."""
-    options = core.default_options()
-    options.radius = 0.02
-    with core.Flow(core.Surface(*geometry.cube()), options) as flow:
+    with flow_on(geometry.cube(), radius=0.02) as flow:
         figures = flow.statistics()
         radii = flow.nodes().radii
         assert figures["spacing_p95"] <= 2 * radii.max() * (1 + 1e-12)

@@ -10,6 +10,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
+from flows import fill
 from meander import batch
 
 SPACING, SIZE = 0.1, 1000.0
@@ -23,8 +24,7 @@ def sheet(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def run(mesh: Path, name: str, *extra: str) -> Path:
     output = mesh.with_name(name)
     report = mesh.with_name("report.json")
-    given = ["--input", mesh, "--output", output, "--spacing", SPACING, "--quiet"]
-    assert batch.main([str(each) for each in (*given, "--report", report, *extra)]) == 0
+    assert fill(mesh, output, "--spacing", SPACING, "--quiet", "--report", report, *extra) == 0
     return output
 
 

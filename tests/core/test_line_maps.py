@@ -11,6 +11,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
+from flows import flow_on
 from meander import core
 from meander.model import image_files, maps
 from meander.model.files.exr import exr
@@ -26,9 +27,7 @@ def sheet() -> Mapped:
     mesh = geometry.grid(12, 12)
     low = mesh.vertices.min(axis=0)
     vertices = (mesh.vertices - low) / np.ptp(mesh.vertices[:, 0])
-    options = core.default_options("even")
-    options.radius, options.iteration_limit = SPACING / 2, 120
-    with core.Flow(core.Surface(vertices, mesh.faces), options) as flow:
+    with flow_on((vertices, mesh.faces), radius=SPACING / 2, iteration_limit=120) as flow:
         flow.run()
         cut = core.cut_surface(flow, SPACING / 8, middle_lines=True)
     return Mapped(cut, cut.positions[cut.faces][:, :, :2].copy(), SPACING)

@@ -13,6 +13,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
+from geometry import rectangle as sheet
 from meander import batch
 
 SPACING = 0.2
@@ -25,18 +26,6 @@ class Brought:
     lines: int = 1
     small: int = 0
     words: tuple[str, ...] = ()
-
-
-def sheet(low: tuple, high: tuple, across: int, up: int) -> geometry.Mesh:
-    """A rectangle from one corner to the other, in so many cells."""
-    xs, ys = np.linspace(low[0], high[0], across + 1), np.linspace(low[1], high[1], up + 1)
-    places = [(x, y, 0.0) for y in ys for x in xs]
-    faces = []
-    for k in range(up):
-        for j in range(across):
-            a = k * (across + 1) + j
-            faces += [(a, a + 1, a + across + 2), (a, a + across + 2, a + across + 1)]
-    return geometry.mesh(places, faces)
 
 
 def moved(piece: geometry.Mesh, by: tuple, scale: float = 1.0) -> geometry.Mesh:

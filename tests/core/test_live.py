@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+from flows import options_of
 from geometry import icosphere
 from meander import core
 
@@ -10,8 +11,7 @@ from meander import core
 @pytest.fixture
 def grown():
     vertices, faces = icosphere(3)
-    options = core.default_options()
-    options.radius, options.threads = 0.12, 1
+    options = options_of(radius=0.12, threads=1)
     with core.Surface(vertices, faces) as surface:
         flow = core.Flow(surface, options)
     with flow:

@@ -8,6 +8,7 @@ from collections import Counter, deque
 import geometry
 import numpy as np
 import pytest
+from flows import options_of
 from meander import core
 from meander.model.maze import Doors, Maze, NoMaze
 from meander.model.walls import bar_pieces, wall, wall_pieces
@@ -25,10 +26,8 @@ def cut_of(
     detail: float = 0.2,
     iterations: int = 150,
 ) -> core.CutSurface:
-    options = core.default_options("even")
-    options.variation = variation
-    options.radius, options.iteration_limit = spacing / 2, iterations
-    with core.Flow(core.Surface(mesh.vertices, mesh.faces), options, seed) as flow:
+    options = options_of(variation=variation, radius=spacing / 2, iteration_limit=iterations)
+    with core.Flow(core.Surface(*mesh), options, seed) as flow:
         flow.run()
         return core.cut_surface(flow, detail * spacing, middle_lines=True)
 

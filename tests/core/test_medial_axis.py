@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import thin_shapes
 from distances_along import distances_along
+from flows import flow_on
 from meander import core
 from numpy.typing import NDArray
 from thin_shapes import SHAPES
@@ -25,24 +26,8 @@ OPEN = ("folded cloth", "crossing sheets")
 PACKING = {name: (0.96, 1.06) for name in SHAPES} | {"plate of 0.6 r": (0.96, 1.08)}
 
 
-def flow_on(
-    mesh: geometry.Mesh,
-    radius: float = 1.0,
-    seed: core.Seed | None = None,
-    density: NDArray | None = None,
-    **changes,
-) -> core.Flow:
-    """A flow by the defaults of `even`; `changes` are options."""
-    options = core.default_options("even")
-    options.radius = radius
-    for name, value in changes.items():
-        setattr(options, name, value)
-    with core.Surface(mesh.vertices, mesh.faces) as surface:
-        return core.Flow(surface, options, seed, density)
-
-
-def grown(mesh: geometry.Mesh, *arguments, **named) -> core.Flow:
-    flow = flow_on(mesh, *arguments, **named)
+def grown(mesh: geometry.Mesh, radius: float = 1.0, **named) -> core.Flow:
+    flow = flow_on(mesh, radius=radius, **named)
     assert flow.run() == "converged"
     return flow
 
@@ -127,7 +112,7 @@ def test_open_sheets_are_filled(name: str) -> None:
 @pytest.mark.parametrize("name", ["plate of 0.02 r", "plate of large faces", "folded cloth"])
 def test_through_space_one_sheet_covers_the_next(name: str) -> None:
     mesh = SHAPES[name]
-    flow = flow_on(mesh, medial_axis=core.MedialAxis.EUCLIDEAN)
+    flow = flow_on(mesh, radius=1.0, medial_axis=core.MedialAxis.EUCLIDEAN)
     flow.run()  # where two sheets quarrel about one place it may go on until it is stopped
     assert flow.statistics()["crossings"] == 0
     bare = distances_to(flow, mesh, places_on(mesh)) > FARTHEST
@@ -179,7 +164,7 @@ def test_an_empty_side_of_a_plate_is_a_gap_along_the_surface() -> None:
     seed = core.Seed(curve.positions, curve.offsets, curve.closed)
     found = {}
     for axis in core.MedialAxis:
-        flow = flow_on(mesh, seed=seed, medial_axis=axis)
+        flow = flow_on(mesh, seed=seed, radius=1.0, medial_axis=axis)
         nodes = flow.polylines().positions
         found[axis] = flow.gaps()
         assert flow.gaps().sizes.tobytes() == found[axis].sizes.tobytes()

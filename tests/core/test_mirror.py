@@ -12,7 +12,8 @@ from typing import Any
 import geometry
 import numpy as np
 import pytest
-from meander import batch, core
+from flows import fill, options_of
+from meander import core
 from meander.model.geometry.half_mesh import above, section
 from meander.model.geometry.reflection import Mirror, mirror_of
 from meander.model.mirror_whole import whole_of
@@ -191,8 +192,7 @@ def test_the_plane_goes_with_the_object() -> None:
     top = int(np.argmax(dented[:, 0] + dented[:, 1]))
     dented[top] *= 1.2
     dented = geometry.Mesh(dented @ matrix[:3, :3].T + matrix[:3, 3], own.faces)
-    options = core.default_options("even")
-    options.radius = 0.2
+    options = options_of(radius=0.2)
     with pytest.raises(core.MeanderError) as refusal:
         open_flow(Problem(dented.vertices, dented.faces, options, mirror=mirror))
     place = str(refusal.value).partition("(")[2].partition(")")[0].split(", ")
@@ -344,12 +344,10 @@ def test_halves_that_hide_two_sheets_are_refused() -> None:
 
 def test_a_run_with_symmetry_takes_no_other_border() -> None:
     mesh = sheet()
-    options = core.default_options("even")
-    options.radius = 0.15
+    options = options_of(radius=0.15)
     opened = open_flow(Problem(mesh.vertices, mesh.faces, options, mirror=mirror_of("x")))
     with opened.flow:
-        other = core.default_options("even")
-        other.radius = 0.1
+        other = options_of(radius=0.1)
         assert opened.part.options_of(other).radius == 0.1
         other.boundary_distance = 0.2
         with pytest.raises(core.MeanderError) as refusal:
@@ -394,8 +392,7 @@ def test_a_half_has_half_the_area_and_no_holes(tilt: float) -> None:
 
 def command(folder: Path, mesh: geometry.Mesh, *extra: object) -> int:
     path = geometry.write_obj(folder / "mesh.obj", mesh)
-    given = ("--input", path, "--output", folder / "out.obj", "--report", folder / "r.json")
-    return batch.main([str(each) for each in (*given, "--quiet", *extra)])
+    return fill(path, folder / "out.obj", "--report", folder / "r.json", "--quiet", *extra)
 
 
 def test_the_command_mirrors_and_reports(tmp_path: Path) -> None:

@@ -18,6 +18,7 @@ from typing import Any
 import geometry
 import numpy as np
 import pytest
+from flows import options_of
 from meander import core
 from meander.binding import abi, files
 from meander.binding.calls import prepared
@@ -191,8 +192,7 @@ def said() -> list[str]:
 
 
 def swept(stack: contextlib.ExitStack) -> list[str]:
-    options = core.default_options("even")
-    options.radius = 0.1
+    options = options_of(radius=0.1)
     surface = stack.enter_context(core.Surface(VERTICES, FACES))
     fresh = stack.enter_context(core.Flow(surface, options))
     done = stack.enter_context(core.Flow(surface, options))
@@ -279,10 +279,7 @@ def tried() -> list[str]:
         refused(lambda: core.Surface(vertices, faces, given).close())
 
     def flow_of(seed=None, density=None, on=(VERTICES, FACES), **changes) -> None:
-        options = core.default_options("even")
-        options.radius = 0.1
-        for name, value in changes.items():
-            setattr(options, name, value)
+        options = options_of(**{"radius": 0.1} | changes)
 
         def open_it() -> None:
             with core.Surface(*on) as surface, core.Flow(surface, options, seed, density) as flow:
@@ -358,8 +355,7 @@ def tried() -> list[str]:
                  fixed=[0] * 24 + [1, 1]))  # fmt: skip
     flow_of(seed(dense, list(range(0, 82, 2)), [0] * 40, guides=[1] * 40, loops=True))
 
-    options = core.default_options("even")
-    options.radius = 0.1
+    options = options_of(radius=0.1)
     with core.Surface(VERTICES, FACES) as surface, core.Flow(surface, options) as flow:
         flow.step()
         refused(lambda: flow.set_directions(np.ones((count, 3))))

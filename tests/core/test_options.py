@@ -13,7 +13,8 @@ import geometry
 import numpy as np
 import pytest
 from conftest import REPOSITORY
-from meander import batch, core
+from flows import fill, options_of
+from meander import core
 from meander.cli.arguments import parser
 from meander.cli.flags import flow_options
 from meander.cli.place import Place
@@ -106,17 +107,14 @@ def test_defaults_are_the_librarys(option: Option) -> None:
 def test_settings_that_nobody_touched_leave_the_preset_alone(preset: str) -> None:
     settings = settings_of_defaults()
     settings.preset = preset.upper()
-    options = core.default_options(preset)
-    options.radius = 0.5
+    options = options_of(preset, radius=0.5)
     apply(OF_THE_FLOW, chosen(OF_THE_FLOW, settings), options)
-    before = core.default_options(preset)
-    before.radius = 0.5
+    before = options_of(preset, radius=0.5)
     assert options == before
 
 
 def test_what_is_chosen_reaches_the_flow() -> None:
-    options = core.default_options("even")
-    options.radius = 0.5
+    options = options_of(radius=0.5)
     before = core.default_options("even")
     values = {
         "length_weight": 1.0,
@@ -180,8 +178,7 @@ def test_a_choice_is_the_presets_or_as_the_flag_says(
 def test_a_direction_starts_full_where_nothing_drawn_grows(
     preset: str, weight: float, guides: list[int] | None, wide: float, start: str
 ) -> None:
-    options = core.default_options(preset)
-    options.alignment_weight, options.start_spacing_factor = weight, wide
+    options = options_of(preset, alignment_weight=weight, start_spacing_factor=wide)
     line = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
     seed = None
     if guides is not None:
@@ -223,8 +220,7 @@ def test_settings_give_back_what_was_stored() -> None:
     ],
 )
 def test_the_library_takes_what_the_settings_allow(option: Option, value: float) -> None:
-    options = core.default_options("even")
-    options.radius = 0.2
+    options = options_of(radius=0.2)
     settings = settings_of_defaults()
     setattr(settings, option.setting, value)
     if option.switch:
@@ -303,7 +299,6 @@ def test_a_value_out_of_range_names_the_range(
 ) -> None:
     path = tmp_path / "any.obj"
     path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-    given = ["--input", path, "--output", tmp_path / "out.obj", "--spacing", "0.2", flag, value]
-    assert batch.main([str(item) for item in given]) == 2
+    assert fill(path, tmp_path / "out.obj", "--spacing", "0.2", flag, value) == 2
     error = capsys.readouterr().err
     assert flag in error and word in error

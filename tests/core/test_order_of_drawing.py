@@ -10,7 +10,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
-from meander import batch
+from flows import fill
 from meander.model.toolpaths import order
 from meander.model.toolpaths.toolpath import Strand, strand_of
 from sentences import assert_sentence
@@ -75,8 +75,7 @@ def mesh(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def _run(mesh: Path, output: Path, *extra: object) -> int:
-    given = ("--input", mesh, "--output", output, "--spacing", "0.2", "--iterations", "5")
-    return batch.main([str(each) for each in (*given, "--quiet", *extra)])
+    return fill(mesh, output, "--spacing", "0.2", "--iterations", "5", "--quiet", *extra)
 
 
 def _moves(path: Path) -> np.ndarray:

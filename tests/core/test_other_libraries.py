@@ -6,6 +6,7 @@ from __future__ import annotations
 import geometry
 import numpy as np
 import pytest
+from flows import flow_on
 from meander import core
 
 trimesh = pytest.importorskip("trimesh")
@@ -15,10 +16,7 @@ pyvista = pytest.importorskip("pyvista")
 @pytest.fixture(scope="module")
 def flow() -> core.Flow:
     vertices, faces = geometry.torus(24, 12)
-    options = core.default_options("even")
-    options.radius, options.iteration_limit = 0.2, 30
-    with core.Surface(vertices, faces) as surface:
-        flow = core.Flow(surface, options)
+    flow = flow_on((vertices, faces), radius=0.2, iteration_limit=30)
     flow.run()
     return flow
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from flows import options_of
 from meander import core
 from sentences import assert_sentence
 from test_border import HOLES, distances, square_outline, with_holes
@@ -41,9 +42,7 @@ def test_outlines_run_at_the_distance(share: float) -> None:
 def test_the_rest_is_filled_and_the_outline_stays(share: float) -> None:
     surface = with_holes()
     seed, _skipped = surface.outlines(share * SPACING, SPACING)
-    options = core.default_options()
-    options.radius = SPACING / 2
-    options.boundary_distance = share
+    options = options_of(radius=SPACING / 2, boundary_distance=share)
     flow = core.Flow(surface, options, seed)
     before = flow.polylines()
     flow.run()

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import geometry
 import numpy as np
 import pytest
-from meander import batch
+from flows import fill
 from meander.model.toolpaths import toolpath
 from meander.model.toolpaths.parts import parted
 
@@ -67,8 +67,7 @@ def sheet(tmp_path: Path) -> Path:
 
 
 def run(mesh: Path, name: str, *extra: str) -> int:
-    given = ["--input", mesh, "--output", mesh.with_name(name), "--spacing", "0.1", "--quiet"]
-    return batch.main([str(a) for a in (*given, *extra)])
+    return fill(mesh, mesh.with_name(name), "--spacing", "0.1", "--quiet", *extra)
 
 
 def test_every_part_is_a_layer(sheet: Path) -> None:

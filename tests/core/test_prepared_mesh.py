@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import geometry
 import numpy as np
 import pytest
+from flows import options_of
 from meander import core
 from sentences import assert_sentence
 
@@ -19,15 +21,8 @@ PREPARED = (
 )
 
 
-def grid(n: int, size: float = 3.0) -> tuple[np.ndarray, np.ndarray]:
-    """A flat square of n by n squares, two triangles each."""
-    ticks = np.linspace(0.0, size, n + 1)
-    y, x = np.meshgrid(ticks, ticks, indexing="ij")
-    vertices = np.stack([x.ravel(), y.ravel(), np.zeros(x.size)], axis=1)
-    corner = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel()
-    a, b, c, d = corner, corner + 1, corner + n + 2, corner + n + 1
-    faces = np.stack([np.stack([a, b, c], 1), np.stack([a, c, d], 1)], axis=1).reshape(-1, 3)
-    return vertices, faces.astype(np.uint32)
+def grid(n: int) -> geometry.Mesh:
+    return geometry.grid(n, 3.0)
 
 
 def soup(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -43,9 +38,7 @@ def done(surface: core.Surface) -> dict[str, int]:
 def run(
     surface: core.Surface, density: np.ndarray | None = None, iterations: int = 12
 ) -> core.Flow:
-    options = core.default_options()
-    options.radius = SPACING / 2
-    options.iteration_limit = iterations
+    options = options_of(radius=SPACING / 2, iteration_limit=iterations)
     flow = core.Flow(surface, options, density=density)
     flow.run()
     assert flow.statistics()["crossings"] == 0

@@ -8,6 +8,7 @@ from dataclasses import replace
 import geometry
 import numpy as np
 import pytest
+from flows import options_of
 from meander import core
 from sentences import assert_sentence
 
@@ -53,11 +54,7 @@ def square() -> core.Surface:
 
 
 def options_with(**changes) -> core.FlowOptions:
-    options = core.default_options()
-    options.radius = 0.05
-    for name, value in changes.items():
-        setattr(options, name, value)
-    return options
+    return options_of(**{"radius": 0.05} | changes)
 
 
 BAD_OPTIONS = [
@@ -234,8 +231,7 @@ def test_arrays_that_are_none(vertices) -> None:
     if vertices is not None:
         refused(core.Surface, SQUARE, faces, core.SurfaceOptions(vertex_mask=vertices))
     with core.Surface(SQUARE, faces) as surface:
-        options = core.default_options()
-        options.radius = 0.2
+        options = options_of(radius=0.2)
         if vertices is not None:
             refused(core.Flow, surface, options, None, vertices)
             refused(surface.extent, vertices)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import geometry
 import numpy as np
 import pytest
+from flows import options_of
 from meander import core
 from meander.model import preparation
 from meander.model.preparation import Repair, Share, seam_width
@@ -15,9 +16,7 @@ RADIUS = 0.12
 
 def grow(vertices: np.ndarray, faces: np.ndarray, repair: Repair | None) -> tuple[core.Flow, dict]:
     """A short run, its mesh repaired first; None: the mesh as it is."""
-    options = core.default_options()
-    options.radius = RADIUS
-    options.iteration_limit = 10
+    options = options_of(radius=RADIUS, iteration_limit=10)
     prepared = repair.options(vertices, RADIUS) if repair else None
     surface = core.Surface(vertices, faces, prepared)
     flow = core.Flow(surface, options)
@@ -207,8 +206,7 @@ def test_values_of_vertices_follow_where_an_edge_was_split() -> None:
     vertices, faces = side_by_side(
         strip([0.0, 1.0], 0.0, 1.0), strip([0.0, 0.3, 0.7, 1.0], 0.0, -1.0)
     )
-    options = core.default_options()
-    options.radius, options.iteration_limit = 0.05, 20
+    options = options_of(radius=0.05, iteration_limit=20)
     prepared = Repair().options(vertices, 0.05)
     with core.Surface(vertices, faces, prepared) as surface, core.Flow(surface, options) as flow:
         assert surface.statistics()["components"] == 1

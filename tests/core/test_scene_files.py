@@ -10,7 +10,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
-from meander import batch
+from flows import fill
 from meander.model import export
 from meander.model.toolpaths import toolpath
 from meander.model.toolpaths.tube import SIDES
@@ -28,8 +28,7 @@ def ball(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def run(mesh: Path, name: str, *extra: str) -> Path:
     output = mesh.with_name(name)
-    given = ["--input", mesh, "--output", output, "--spacing", SPACING, "--quiet", *extra]
-    assert batch.main([str(each) for each in given]) == 0
+    assert fill(mesh, output, "--spacing", SPACING, "--quiet", *extra) == 0
     return output
 
 
@@ -135,8 +134,7 @@ def test_binary_usd_says_what_it_needs(
     ball: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
 ) -> None:
     monkeypatch.setattr("meander.model.toolpaths.usd.is_there", lambda: False)
-    given = ["--input", ball, "--output", ball.with_name("b.usdc"), "--spacing", "0.3"]
-    assert batch.main([str(each) for each in given]) == 2
+    assert fill(ball, ball.with_name("b.usdc"), "--spacing", "0.3") == 2
     assert "usd-core" in capsys.readouterr().err and not ball.with_name("b.usdc").exists()
 
 

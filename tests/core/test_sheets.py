@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 import geometry
 import numpy as np
 import pytest
-from meander import batch
+from flows import fill
 from meander.cli import writing
 from meander.model import sheets as files
 from meander.model.files.whole import FileError
@@ -210,8 +210,7 @@ def mesh(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def run(mesh: Path, output: Path, *extra: object) -> int:
-    given = ("--input", mesh, "--output", output, "--spacing", "0.1", "--iterations", "80")
-    return batch.main([str(each) for each in (*given, *extra)])
+    return fill(mesh, output, "--spacing", "0.1", "--iterations", "80", *extra)
 
 
 def svg(path: Path) -> tuple[list[np.ndarray], list[np.ndarray], np.ndarray]:

@@ -10,6 +10,7 @@ import geometry
 import numpy as np
 import pytest
 from conftest import polylines
+from flows import flow_on
 from meander import batch, core
 from meander.model.files import obj
 from meander.model.geometry import simplification, thinning
@@ -120,13 +121,8 @@ def test_the_flow_goes_on_from_a_light_curve(model):
         for share in (0.01, 0.1):
             kept = simplification.light_points(grown.curve, Light(share), 2.0 * grown.radius)
             light = thinning.with_points(grown.curve, kept)
-            options = core.default_options("even")
-            options.radius, options.iteration_limit = grown.radius, 1
             seed = core.Seed(light.positions, light.offsets, light.closed)
-            with (
-                core.Surface(grown.mesh.vertices, grown.mesh.faces) as surface,
-                core.Flow(surface, options, seed) as flow,
-            ):
+            with flow_on(grown.mesh, seed=seed, radius=grown.radius, iteration_limit=1) as flow:
                 flow.run()
                 figures = flow.statistics()
             assert figures["crossings"] == 0

@@ -6,6 +6,7 @@ from __future__ import annotations
 import geometry
 import numpy as np
 import pytest
+from flows import flow_on
 from meander import core
 
 SPACING = 0.1
@@ -37,29 +38,20 @@ def rows_of(points: np.ndarray) -> list[np.ndarray]:
 
 
 def sheet() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    vertices, faces = geometry.grid(30)
-    vertices = 2.0 * (vertices - vertices.mean(axis=0)) / np.ptp(vertices, axis=0).max()
+    vertices, faces = geometry.rectangle((-1.0, -1.0), (1.0, 1.0), 30, 30)
     return vertices, faces, np.tile([1.0, 0.0, 0.0], (len(vertices), 1))
 
 
 def disc(diameter: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The sheet's squares become rings."""
-    vertices, faces, along = sheet()
-    largest = np.abs(vertices).max(axis=1, keepdims=True)
-    away = np.linalg.norm(vertices, axis=1, keepdims=True)
-    return 0.5 * diameter * vertices * largest / np.maximum(away, 1e-9), faces, along
+    vertices, faces = geometry.disc(30, diameter)
+    return vertices, faces, np.tile([1.0, 0.0, 0.0], (len(vertices), 1))
 
 
 def pipe() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Of radius .5 and length 2, with lines round it."""
-    count, rings = 60, 21
-    angle, height = np.meshgrid(2.0 * np.pi * np.arange(count) / count, np.linspace(0, 2, rings))
-    angle = angle.ravel()
-    vertices = np.column_stack([0.5 * np.cos(angle), 0.5 * np.sin(angle), height.ravel()])
-    a = np.arange(count * (rings - 1)).reshape(-1, count)
-    b = np.roll(a, -1, axis=1)
-    faces = np.stack([a, b, b + count, a, b + count, a + count], axis=-1).reshape(-1, 3)
-    return vertices, faces, np.column_stack([-np.sin(angle), np.cos(angle), 0.0 * angle])
+    vertices, faces = geometry.tube(60, 20, 2.0, 0.5)
+    x, y, _z = vertices.T
+    return vertices, faces, np.column_stack([-2.0 * y, 2.0 * x, 0.0 * x])
 
 
 SHAPES = {
@@ -83,9 +75,8 @@ def sharpest(points: np.ndarray) -> float:
 @pytest.mark.parametrize("shape", SHAPES)
 def test_rows_are_straight_and_equally_apart(shape: str) -> None:
     vertices, faces, along = SHAPES[shape]()
-    options = core.default_options("even")
-    options.radius, options.start, options.alignment_weight = SPACING / 2, core.Start.FULL, 2.0
-    with core.Surface(vertices, faces) as surface, core.Flow(surface, options) as flow:
+    asked = {"radius": SPACING / 2, "start": core.Start.FULL, "alignment_weight": 2.0}
+    with flow_on((vertices, faces), **asked) as flow:
         flow.set_directions(along)
         assert flow.run() == "converged"
         curve = flow.polylines()

@@ -10,6 +10,7 @@ import geometry
 import numpy as np
 import pytest
 from conftest import grow, without_blender
+from flows import flow_on, options_of
 from meander import batch, core
 from meander.model import strands
 from meander.model.files import obj
@@ -89,9 +90,7 @@ def test_one_stroke_keeps_its_ends_across_a_whole_model() -> None:
 def test_guides_stay_and_are_told_from_what_grows() -> None:
     seed = strands.assembled([part("Bar", (BAR, False), guide=True)])
     mesh = geometry.grid(6)
-    options = core.default_options("even")
-    options.radius = 0.04
-    with core.Surface(*mesh) as surface, core.Flow(surface, options, seed) as flow:
+    with flow_on(mesh, seed=seed, radius=0.04) as flow:
         assert flow.guides().tolist() == [True, False]
         before = strand(flow.polylines(), 0)
         flow.run()
@@ -191,8 +190,7 @@ def test_a_seed_above_the_surface_is_laid_on_it_and_the_distance_told() -> None:
     most = strands.max_distance_of(mesh.vertices)
     assert most == pytest.approx(0.25 * np.sqrt(2))
     assert refusal(strands.assembled(drawn)).elements == (0,)  # without it r is the limit
-    options = core.default_options()
-    options.radius = 0.04
+    options = options_of(radius=0.04)
     with (
         core.Surface(*mesh) as surface,
         core.Flow(surface, options, strands.assembled(drawn, max_distance=most)) as flow,
@@ -221,8 +219,7 @@ def test_a_seed_that_jumps_from_sheet_to_sheet_is_told_of() -> None:
     below = [[0.1, 0.5, 0.02], [0.2, 0.5, 0.03], [0.3, 0.5, 0.04]]
     rising = [*below, [0.3, 0.5, 0.06], [0.2, 0.5, 0.07], [0.1, 0.5, 0.08]]
     drawn = [part("Rising", ([[0.1, 0.2, 0], [0.9, 0.2, 0]], False), (rising, False))]
-    options = core.default_options()
-    options.radius = 0.05
+    options = options_of(radius=0.05)
     for scale in (1.0, 1000.0):
         options.radius = 0.05 * scale
         seed = strands.assembled(drawn)

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import geometry
 import numpy as np
 import pytest
+from flows import flow_on
 from meander import core
 from meander.model.maps import Mapped, Style, Tile
 
@@ -31,34 +32,20 @@ class Developable(NamedTuple):
 
 def disc() -> Developable:
     """Of radius 1, by the map of a square: its rings are the rings of that."""
-    vertices, faces = geometry.grid(24)
-    square = 2.0 * (vertices - vertices.mean(axis=0)) / np.ptp(vertices, axis=0).max()
-    largest = np.abs(square).max(axis=1, keepdims=True)
-    away = np.linalg.norm(square, axis=1, keepdims=True)
-    round_ = square * largest / np.maximum(away, 1e-9)
-    uv = (square[faces][:, :, :2] + 1.0) / 2.0
-    return Developable(round_, faces, round_[faces][:, :, :2], uv, 0.0)
+    vertices, faces = geometry.disc(24, 2.0)
+    uv = geometry.grid(24).vertices[faces][:, :, :2]
+    return Developable(vertices, faces, vertices[faces][:, :, :2], uv, 0.0)
 
 
 def pipe() -> Developable:
     """Of radius .5 and length 2, which fills the map: pixels are 1.6 times as wide as high."""
-    count, rings = 48, 17
-    column, row = np.meshgrid(np.arange(count + 1), np.arange(rings))
-    places = np.column_stack([column.ravel(), row.ravel()]).astype(float)
-    a = (np.arange(count) + (count + 1) * np.arange(rings - 1)[:, None]).ravel()
-    corners = np.stack([a, a + 1, a + count + 2, a, a + count + 2, a + count + 1], axis=1)
-    corners = corners.reshape(-1, 3)
-    angle = 2.0 * np.pi * places[:, 0] / count
-    height = 2.0 * places[:, 1] / (rings - 1)
-    solid = np.column_stack([0.5 * np.cos(angle), 0.5 * np.sin(angle), height])
-    side = np.sin(np.pi / count)
-    flat = np.column_stack([places[:, 0] * side, height])
-    kept = column.ravel() < count
-    numbers = np.cumsum(kept) - 1
-    first = np.flatnonzero(~kept) - count
-    numbers[~kept] = numbers[first]
-    uv = flat / [count * side, 2.0]
-    return Developable(solid[kept], numbers[corners], flat[corners], uv[corners], count * side)
+    count, rings = 48, 16
+    solid = geometry.tube(count, rings, 2.0, 0.5)
+    around = count * np.sin(np.pi / count)
+    # Laid flat it has its seam twice; faces are in the same order.
+    flat = geometry.rectangle((0.0, 0.0), (around, 2.0), count, rings)
+    at = flat.vertices[flat.faces][:, :, :2]
+    return Developable(solid.vertices, solid.faces, at, at / [around, 2.0], around)
 
 
 def means_at(shape: Developable, pieces: np.ndarray, size: int) -> dict[tuple, tuple]:
@@ -90,9 +77,7 @@ def means_at(shape: Developable, pieces: np.ndarray, size: int) -> dict[tuple, t
 @pytest.mark.parametrize("make", [disc, pipe])
 def test_pixels_of_a_stretched_map_are_the_mean_over_their_area(make) -> None:
     shape = make()
-    options = core.default_options("even")
-    options.radius, options.iteration_limit = SPACING / 2, 120
-    with core.Flow(core.Surface(shape.vertices, shape.faces), options) as flow:
+    with flow_on((shape.vertices, shape.faces), radius=SPACING / 2, iteration_limit=120) as flow:
         flow.run()
         cut = core.cut_surface(flow, SPACING / 8, middle_lines=True)
     tile = Tile(Mapped.of(cut, shape.uv, SPACING), (0, 0), Style(SIZE, 0))

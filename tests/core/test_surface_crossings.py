@@ -11,14 +11,13 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
-from meander import batch
+from flows import fill
 from meander.model.geometry.surface_crossings import crossings
 
 
 def run(mesh: Path, kind: str, *extra: str, spacing: str = "0.15") -> tuple[dict, Path]:
     output, report = mesh.with_name(f"a{kind}"), mesh.with_name("r.json")
-    given = ["--input", mesh, "--output", output, "--report", report, "--spacing", spacing]
-    assert batch.main([str(a) for a in (*given, "--quiet", *extra)]) == 0
+    assert fill(mesh, output, "--report", report, "--spacing", spacing, "--quiet", *extra) == 0
     return json.loads(report.read_text())["points"], output
 
 

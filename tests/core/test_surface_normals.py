@@ -6,6 +6,7 @@ from __future__ import annotations
 import geometry
 import numpy as np
 import pytest
+from flows import flow_on
 from meander import core
 from meander.model.geometry.surface_normals import normals_at
 
@@ -13,9 +14,7 @@ SPACING = 0.25
 
 
 def grown(mesh: geometry.Mesh, spacing: float) -> tuple[core.Polylines, core.PointData]:
-    options = core.default_options("even")
-    options.radius, options.iteration_limit = spacing / 2, 60
-    with core.Flow(core.Surface(mesh.vertices, mesh.faces), options) as flow:
+    with flow_on(mesh, radius=spacing / 2, iteration_limit=60) as flow:
         flow.run()
         return flow.polylines(), flow.point_data()
 

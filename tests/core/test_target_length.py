@@ -10,6 +10,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
+from flows import fill
 from meander import batch
 from meander.cli import target_length
 from meander.cli.target_length import CLOSE, Search, tried
@@ -23,8 +24,7 @@ def ball(tmp_path: Path) -> Path:
 
 def run(mesh: Path, *extra: str) -> int:
     report = mesh.with_name("r.json")
-    given = ["--input", mesh, "--output", mesh.with_name("a.obj"), "--quiet", "--report", report]
-    return batch.main([str(a) for a in (*given, *extra)])
+    return fill(mesh, mesh.with_name("a.obj"), "--quiet", "--report", report, *extra)
 
 
 @pytest.mark.parametrize("length", ["30", "57.5"])

@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import geometry
 import numpy as np
 import pytest
+from flows import flow_on, options_of
 from meander import core
 from numpy.typing import NDArray
 from sentences import assert_sentence
@@ -12,15 +14,10 @@ from sentences import assert_sentence
 SPACING = 0.06
 
 
-def sheet(width: float, height: float) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
+def sheet(width: float, height: float) -> geometry.Mesh:
     """A flat rectangle of squares of about a spacing, each of two triangles."""
     across, up = round(width / SPACING), round(height / SPACING)
-    x, y = np.meshgrid(np.linspace(0, width, across + 1), np.linspace(0, height, up + 1))
-    vertices = np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3)
-    first = (np.arange(up)[:, None] * (across + 1) + np.arange(across)).reshape(-1)
-    far = first + across + 2
-    faces = np.concatenate([[first, first + 1, far], [first, far, far - 1]], axis=1).T
-    return vertices, faces.astype(np.uint32)
+    return geometry.rectangle((0, 0), (width, height), across, up)
 
 
 def grow(
@@ -31,11 +28,7 @@ def grow(
     seed: core.Seed | None = None,
     **changes,
 ) -> tuple[core.Polylines, dict]:
-    options = core.default_options(preset)
-    options.radius = SPACING / 2
-    for name, value in changes.items():
-        setattr(options, name, value)
-    flow = core.Flow(core.Surface(*mesh), options, seed=seed)
+    flow = flow_on(mesh, preset, seed=seed, radius=SPACING / 2, **changes)
     if directions is not None:
         flow.set_directions(directions, kind)
     flow.run()
@@ -145,9 +138,7 @@ def test_a_field_without_weight_does_nothing() -> None:
 def test_fields_that_say_nothing_are_refused(field: NDArray) -> None:
     mesh = sheet(10 * SPACING, 10 * SPACING)
     assert len(mesh[0]) == 121
-    options = core.default_options()
-    options.radius = SPACING / 2
-    flow = core.Flow(core.Surface(*mesh), options)
+    flow = flow_on(mesh, radius=SPACING / 2)
     with pytest.raises(core.MeanderError) as refusal:
         flow.set_directions(field)
     assert_sentence(str(refusal.value))
@@ -155,9 +146,7 @@ def test_fields_that_say_nothing_are_refused(field: NDArray) -> None:
 
 def test_fields_come_before_the_first_step() -> None:
     mesh = sheet(0.6, 0.6)
-    options = core.default_options()
-    options.radius = SPACING / 2
-    flow = core.Flow(core.Surface(*mesh), options)
+    flow = flow_on(mesh, radius=SPACING / 2)
     flow.set_directions(np.ones((len(mesh[0]), 3)))
     flow.set_directions(None)
     flow.step()
@@ -209,10 +198,7 @@ def test_weights_mean_the_same_at_every_scale() -> None:
     field = np.tile([1.0, 0.5, 0], (len(vertices), 1))
     curves = []
     for scale in (1.0, 1e-3, 1e3):
-        options = core.default_options()
-        for name, value in changes.items():
-            setattr(options, name, value)
-        options.radius = SPACING / 2 * scale
+        options = options_of(**changes, radius=SPACING / 2 * scale)
         flow = core.Flow(core.Surface(vertices * scale, faces), options)
         flow.set_directions(field / scale)
         flow.run()
@@ -244,8 +230,7 @@ def test_a_wide_start_leaves_few_corners() -> None:
 
 def test_defaults_give_no_warning() -> None:
     for preset in core.PRESETS:
-        options = core.default_options(preset)
-        options.radius = 1.0
+        options = options_of(preset, radius=1.0)
         assert core.option_warnings(options) == []
 
 
@@ -260,8 +245,7 @@ def test_defaults_give_no_warning() -> None:
     ],
 )
 def test_what_is_seldom_meant_is_said(name: str, value: float, said: str, fine: float) -> None:
-    options = core.default_options()
-    options.radius = 1.0
+    options = options_of(radius=1.0)
     setattr(options, name, value)
     (warning,) = core.option_warnings(options)
     assert_sentence(warning)
@@ -327,9 +311,7 @@ def test_fields_of_a_part_are_those_of_its_own_vertices() -> None:
     assert np.linalg.norm(directions[kept], axis=1) == pytest.approx(1)
     assert np.linalg.norm(directions[inside < -SPACING], axis=1) == pytest.approx(0)
     directions[~kept] = np.nan
-    options = core.default_options()
-    options.radius = SPACING / 2
-    options.alignment_weight = 1.0
+    options = options_of(radius=SPACING / 2, alignment_weight=1.0)
     flow = core.Flow(surface, options)
     flow.set_directions(directions)
     for _ in range(5):

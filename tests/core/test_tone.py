@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import geometry
 import numpy as np
 import pytest
 from meander import batch
@@ -19,13 +20,7 @@ COLUMNS = np.linspace(0.0, 2.0, 7)
 
 def sheet(path: Path, coded: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
     """Twice as wide as high; colours of its vertices in sRGB as OBJ files have them."""
-    x, y = np.meshgrid(np.linspace(0.0, 2.0, 41), np.linspace(0.0, 1.0, 21))
-    points = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
-    first = (np.arange(20)[:, None] * 41 + np.arange(40)).ravel()
-    faces = np.concatenate(
-        [np.column_stack(c) for c in (
-            (first, first + 1, first + 42), (first, first + 42, first + 41))]
-    )  # fmt: skip
+    points, faces = geometry.rectangle((0.0, 0.0), (2.0, 1.0), 40, 20)
     grey = np.tile(coded, 21) if coded is not None else np.ones(len(points))
     rows = [f"v {p[0]:.6g} {p[1]:.6g} 0 {g:.5f} {g:.5f} {g:.5f}" for p, g in zip(points, grey)]
     rows += ["f {} {} {}".format(*(face + 1)) for face in faces]

@@ -9,6 +9,7 @@ import json
 import geometry
 import numpy as np
 import pytest
+from flows import flow_on
 from meander import core
 from meander.model.files import whole as whole_files
 from meander.model.toolpaths import toolpath
@@ -136,11 +137,7 @@ def _plate(count=6):
 
 def test_resampling_keeps_to_the_triangles_and_blends_the_room():
     mesh = _plate()
-    with core.Surface(mesh.vertices, mesh.faces) as surface:
-        options = core.default_options("even")
-        options.radius, options.iteration_limit = 0.06, 60
-        flow = core.Flow(surface, options)
-    with flow:
+    with flow_on((mesh.vertices, mesh.faces), radius=0.06, iteration_limit=60) as flow:
         flow.run()
         curve, data = flow.polylines(), flow.point_data()
     whole = toolpath.resampled(toolpath.strands_of(curve, data))

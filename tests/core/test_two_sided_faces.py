@@ -10,6 +10,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
+from flows import options_of
 from meander import batch, core
 from meander.model import preparation
 from meander.model.preparation import Repair
@@ -310,8 +311,7 @@ def test_a_mesh_without_doubles_is_left_as_it_is() -> None:
     """With what is to be left out, or without, the same curve to the last bit."""
     vertices, faces = geometry.icosphere(3)[:2]
     curves = []
-    options = core.default_options()
-    options.radius, options.iteration_limit = 0.1, 10
+    options = options_of(radius=0.1, iteration_limit=10)
     for prepared in (None, Repair().options(np.asarray(vertices), 0.1)):
         surface = core.Surface(vertices, faces, prepared)
         with core.Flow(surface, options) as flow:
@@ -326,8 +326,7 @@ def test_a_line_over_a_leaf() -> None:
     vertices = np.asarray(mesh[0])
     corners = np.array([v for polygon in mesh[1] for v in polygon], dtype=np.uint32)
     faces, polygons = core.triangulated(vertices, corners, np.cumsum([4] * len(mesh[1])))
-    options = core.default_options()
-    options.radius = 0.05
+    options = options_of(radius=0.05)
     prepared = Repair().options(vertices, 0.05, polygons)
     with core.Surface(vertices, faces, prepared) as surface, core.Flow(surface, options) as flow:
         flow.run()

@@ -6,6 +6,7 @@ from __future__ import annotations
 import geometry
 import numpy as np
 import pytest
+from flows import flow_on
 from meander import core
 from meander.model.geometry import simplification
 from meander.model.geometry.simplification import Light
@@ -48,12 +49,7 @@ def cube_apart():
 
 
 def filled(mesh, radius):
-    options = core.default_options("even")
-    options.radius, options.iteration_limit = radius, 60
-    with (
-        core.Surface(mesh.vertices, mesh.faces) as surface,
-        core.Flow(surface, options) as flow,
-    ):
+    with flow_on((mesh.vertices, mesh.faces), radius=radius, iteration_limit=60) as flow:
         flow.run()
         return flow.polylines(), flow.point_data()
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
+from flows import fill, options_of
 from meander import batch, core
 from meander.model import variations
 from meander.model.problem import Problem
@@ -25,8 +26,7 @@ def ball(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def written(ball: Path, tmp_path: Path, *flags: object) -> tuple[bytes, dict]:
     output, report = tmp_path / "curve.obj", tmp_path / "report.json"
-    arguments = ["--input", ball, "--output", output, "--report", report, "--spacing", SPACING]
-    assert batch.main([str(each) for each in (*arguments, "--quiet", *flags)]) == 0
+    assert fill(ball, output, "--report", report, "--spacing", SPACING, "--quiet", *flags) == 0
     lines = output.read_bytes().splitlines()
     return b"\n".join(each for each in lines if each[:1] != b"#"), json.loads(report.read_text())
 
@@ -67,8 +67,7 @@ def test_what_is_no_variation_is_refused(
 
 
 def problem(spacing: float) -> Problem:
-    options = core.default_options("even")
-    options.radius = spacing / 2.0
+    options = options_of(radius=spacing / 2.0)
     return Problem(*geometry.icosphere(3), options)
 
 
@@ -80,9 +79,7 @@ def test_coarse_runs_are_the_run_itself_before_it_is_made_even() -> None:
     assert not variations.is_coarser(whole, nodes)
     for number, curve in zip((0, 3), variations.lines(whole, (0, 3), nodes), strict=True):
         with core.Surface(whole.vertices, whole.faces) as surface:
-            options = core.default_options("even")
-            options.radius, options.variation = SPACING / 2.0, number
-            options.iteration_limit = 80
+            options = options_of(radius=SPACING / 2.0, variation=number, iteration_limit=80)
             with core.Flow(surface, options) as flow:
                 flow.run()
                 assert np.array_equal(flow.polylines().positions, curve.positions)

@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from flows import fill
 from meander import batch
 from meander.model import empty, strands
 from meander.model.empty import Empty
@@ -15,8 +16,7 @@ SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"
 
 def _said(tmp_path: Path, mesh: str, *options: object) -> None:
     (tmp_path / "mesh.obj").write_text(mesh)
-    argv = ["--input", tmp_path / "mesh.obj", "--output", tmp_path / "out.obj", *options]
-    assert batch.main([str(word) for word in argv]) == 0
+    assert fill(tmp_path / "mesh.obj", tmp_path / "out.obj", *options) == 0
 
 
 def test_a_place_on_an_axis_is_said_without_what_rounding_leaves() -> None:
