@@ -5,23 +5,18 @@ from __future__ import annotations
 
 import geometry
 import numpy as np
-from meander import core
+from flows import flow_on
 
 RADIUS = 0.09
 SAMPLES = 6000
 
 
 def test_hardly_any_place_is_farther_than_half_a_spacing() -> None:
-    """The 99th percentile of the distance from the curve, in half spacings, over four first faces."""
+    """The 99th percentile of the distance to the curve, in half spacings, over four first faces."""
     mesh = geometry.torus(48, 24)
     farthest = []
     for variation in range(4):
-        options = core.default_options("even")
-        options.radius = RADIUS
-        options.variation = variation
-        with core.Surface(*mesh) as surface:
-            flow = core.Flow(surface, options)
-        with flow:
+        with flow_on(mesh, radius=RADIUS, variation=variation) as flow:
             assert flow.run() == "converged"
             begin, end = geometry.ends_of(flow.polylines())
         places = geometry.sample_surface(mesh, SAMPLES)
