@@ -16,7 +16,7 @@
 namespace meander::test::rounding_tests {
 namespace {
 
-constexpr double kSpacing = 0.35;
+constexpr double kSpacing = 0.3;
 /// Room for what sampling a line by its points hides, in spacings.
 constexpr double kSampled = 0.02;
 

@@ -296,11 +296,11 @@ inline constexpr double kWideTurns = 50;                    // times; > 0; free
 
 /// The length at which growth ends, over that of a curve that fills the surface; the work of growth, in iterations with
 /// long segments on such a curve; and iterations until the curve has settled. Measured in `even` on bunny, hand_closed,
-/// spot and cube at the radius of docs/performance.md and 1.5 times as much: .83 to .86; 28 to 39; 6 or 11, in one of
-/// eight runs 16.
+/// spot and cube at the radius of docs/performance.md and 1.5 times as much: .83 to .86; 28 to 39; 16 to 31, 11
+/// to 24 from a full start.
 inline constexpr double kLengthWhenGrown = 0.85;            // share of the length; 0 to 1; above
 inline constexpr double kGrowthWork = 35;                   // iterations; > 0; above
-inline constexpr double kFinishingIterations = 8;           // iterations; > 0; above
+inline constexpr double kFinishingIterations = 16;          // iterations; > 0; above
 
 /// Where there is no polish: the share of the time until the curve is as long as at the end of growth, the length at
 /// which it becomes quiet, and the share of the quiet iterations that end the run. "progress: Follow the time to the
