@@ -67,10 +67,3 @@ def test_each_constant_has_a_unit_a_range_and_a_source(path: Path) -> None:
             assert FIGURES.search(comment_above(lines, number)), lines[number]
         else:
             assert source in ("geometry", "free") or source.strip('"') in HEADINGS, lines[number]
-
-
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.parent.name)
-def test_the_headings_that_constants_name_are_there(path: Path) -> None:
-    text = re.sub(r"\s*\n\s*//+ ?", " ", path.read_text())
-    for heading in re.findall(r'docs/decisions\.md,? "([^"]*)"', text):
-        assert heading in HEADINGS

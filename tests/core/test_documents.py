@@ -20,7 +20,8 @@ ROOMS = sorted(folder.name for folder in SOURCES.iterdir())
 FENCE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
 CODE = re.compile(r"`([^`\n]+)`")
-DECISION = re.compile(r'docs/decisions\.md(?:,|:)? "([^"]+)"')
+# In a comment, and what chose a constant in the table of a room.
+DECISION = re.compile(r'docs/decisions\.md(?:,|:)? "([^"]+)"|constexpr [^"]*; "([^"]+)"')
 # `medial/frames`, `medial/frames.h` or `medial/frames.cpp`
 SOURCE = re.compile(rf"(?:{'|'.join(ROOMS)})/\w+(?:\.h|\.cpp)?")
 TEST = re.compile(r"(?:tests/\w+/)?test_\w+(?:\.py|\.cpp)?")
@@ -97,13 +98,14 @@ def test_a_wrong_name_is_found(text, wrong, header):
 
 def decisions_named(source: str) -> list[str]:
     """The headings of docs/decisions.md that comments name, also where a name is broken in two."""
-    return DECISION.findall(re.sub(r"\s*\n\s*///?\s*", " ", source))
+    found = DECISION.findall(re.sub(r"\s*\n\s*///?\s*", " ", source))
+    return [in_comment or in_table for in_comment, in_table in found]
 
 
 def test_comments_name_decisions_that_are_there():
     page = (ROOT / "docs" / "decisions.md").read_text(encoding="utf-8")
     headings = set(re.findall(r"^### (.+)$", page, re.MULTILINE))
-    sources = [path.read_text(encoding="utf-8") for path in SOURCES.rglob("*.h")]
+    sources = [path.read_text(encoding="utf-8") for path in SOURCES.rglob("*.[ch]*")]
     named = {name for text in sources for name in decisions_named(text)}
     assert len(named) > 10
     assert named - headings == set()
@@ -112,3 +114,5 @@ def test_comments_name_decisions_that_are_there():
 def test_a_decision_is_found_in_a_broken_comment():
     source = '/// 3 (docs/decisions.md, "Wide\n/// loops"), and 4: docs/decisions.md,\n/// "Necks".'
     assert decisions_named(source) == ["Wide loops", "Necks"]
+    table = 'constexpr double kA = 3;  // r; > 0; "Necks"\nconstexpr double kB = 1;  // r; > 0; free'
+    assert decisions_named(table) == ["Necks"]
