@@ -132,6 +132,28 @@ TEST(Progress, IsToldWhileAFirstCurveIsLaid) {
   EXPECT_LT(told.back(), flow.progress());
 }
 
+/// No step of laying stands still for long, nor do the iterations after it in which the curve grows no more.
+TEST(Progress, MovesAllTheWayOfACurveThatBeginsFull) {
+  const auto surface = std::make_shared<const Surface>(make_surface(sphere(3)));
+  meander_flow_options options = options_of(0.1);
+  options.start = MEANDER_START_FULL;
+  Flow flow(surface, nullptr, {}, checked_settings(options, *surface));
+  std::vector<double> told{0};
+  const auto note = [&](double progress) { told.push_back(progress); };
+  ASSERT_TRUE(flow.step(kNeverCancelled, note));
+  double longest = 0;
+  for (size_t k = 1; k < told.size(); ++k) longest = std::max(longest, told[k] - told[k - 1]);
+  EXPECT_LT(longest, 0.25 * told.back());
+  told = {flow.progress()};
+  while (flow.stop_reason() == StopReason::kRunning) {
+    ASSERT_TRUE(flow.step(kNeverCancelled, note));
+    told.push_back(flow.progress());
+  }
+  size_t still = 0;
+  for (size_t k = 1; k < told.size(); ++k) still += !(told[k] > told[k - 1]);
+  EXPECT_LE(still, 1u) << "of " << told.size();
+}
+
 TEST(Progress, IsOneAtTheEndOfARunThatThrows) {
   const auto surface = std::make_shared<const Surface>(make_surface(sphere(2)));
   Flow flow(surface, nullptr, {}, checked_settings(options_of(0.3), *surface));

@@ -11,4 +11,10 @@ namespace meander {
 /// nobody listens. It must not throw.
 using Tell = std::function<void(double)>;
 
+/// What a part of the work tells, which goes from one share to the other.
+inline Tell part_of(const Tell& tell, double from, double to) {
+  if (!tell) return {};
+  return [tell, from, to](double share) { tell(from + share * (to - from)); };
+}
+
 }  // namespace meander

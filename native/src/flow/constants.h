@@ -302,6 +302,11 @@ inline constexpr double kLengthWhenGrown = 0.85;            // share of the leng
 inline constexpr double kGrowthWork = 35;                   // iterations; > 0; above
 inline constexpr double kFinishingIterations = 16;          // iterations; > 0; above
 
+/// Of a curve that begins full, the work of laying it, in such iterations, and those until it is seen that it grows no
+/// more: of a curve of 1,000,000 nodes, on two threads.
+inline constexpr double kLayingWork = 36;                   // iterations; > 0; above
+inline constexpr double kFullGrowthIterations = 10;         // iterations; > 0; above
+
 /// Where there is no polish: the share of the time until the curve is as long as at the end of growth, the length at
 /// which it becomes quiet, and the share of the quiet iterations that end the run. "progress: Follow the time to the
 /// end of a run".

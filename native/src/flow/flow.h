@@ -114,7 +114,7 @@ class Flow {
     return plan;
   }
   void iterate(ThreadPool& pool, const Tell& tell);
-  double progress_with(double laid) const;
+  double progress_with(double laid, double part) const;
   void note(IterationFigures figures, const CurveState& after, ThreadPool& pool);
   void measure_again(ThreadPool& pool);
   void go_on_from(FlowState next, Convergence convergence, double factor, const MoveSeconds& seconds, ThreadPool& pool);

@@ -46,12 +46,18 @@ double share_with_polish(const FlowSettings& settings, const ProgressFigures& fi
   const double polish = polish_iterations(settings, figures.full);
   const double finishing = settings.growth_coarsening * kFinishingIterations;
   const double cooling = settings.growth_coarsening * kCoolingIterations;
-  const double all = kGrowthWork + removal + polish + finishing + cooling;
-  const double age = figures.iterations_in_phase;
-  double done = kGrowthWork;
+  const double growth = figures.full ? kLayingWork + kFullGrowthIterations : kGrowthWork;
+  const double all = growth + removal + polish + finishing + cooling;
+  const double age = figures.iterations_in_phase + figures.part;
+  double done = growth;
   switch (figures.phase) {
-    case Phase::kStarting: done *= figures.laid; break;
+    case Phase::kStarting: done = kLayingWork * figures.laid; break;
     case Phase::kGrowing:
+      if (figures.full) {
+        done = kLayingWork + kFullGrowthIterations * slowed(age / kFullGrowthIterations);
+        break;
+      }
+      [[fallthrough]];
     case Phase::kLoosening:
     case Phase::kLayingRest: done *= share_of_growth(figures.length / figures.expected_length); break;
     case Phase::kHairpinRemoval: done += std::min(age, removal); break;

@@ -16,6 +16,7 @@ struct ProgressFigures {
   uint32_t iterations = 0;     ///< of this run, which count for the limit
   uint32_t quiet_iterations = 0;  ///< in a row, as the paper's rule counts them
   bool full = false;              ///< the curve began full
+  double part = 0;                ///< of the iteration under way, from 0 to 1
   double laid = 0;                ///< of a first curve that is being laid, from 0 to 1
 };
 

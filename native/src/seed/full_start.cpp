@@ -202,7 +202,8 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
     const bool smooth = field.empty() && !radius.varies();
     spacing.least = smooth ? kLeastOfPhase : kLeastAlong;
     if (!radius.varies()) spacing.full = smooth ? kFullOfPhase : kFullOfPhaseAlong;
-    first_lines = lines_of_phase(surface, radius, spacing, boundary_distance, rest, variation, pool, poll, whole);
+    first_lines = lines_of_phase(surface, radius, spacing, boundary_distance, rest, variation, pool, poll, whole,
+                                 part_of(tell, kLinesBegin, kFillingBegins));
   }
   passed(kFillingBegins);
   const size_t before = lines.size();
@@ -225,6 +226,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
     TreeTour tour = walk_round(network, trees, kOffset, first, pool);
     if (tour.is_laid()) {
       start.curve = std::move(tour.curve);
+      passed(1);
       return start;
     }
     for (const uint32_t edge : tour.edges_in_the_way) cut_at(edge, lines, network);

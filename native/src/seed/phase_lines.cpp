@@ -30,6 +30,9 @@ constexpr double kNarrow = 6.4, kTwoAlong = 16.0 / 3;
 constexpr double kLengthOff = 0.02, kFaultLeft = 0.03;
 constexpr uint32_t kTurns = 12;
 
+/// Which share of the time of lines has passed when their phase is found, and which of them are laid unless they turn.
+constexpr double kPhaseFound = 0.97, kFirstLaid = 0.9;
+
 /// From one turn to the next, as a share of half a turn: not that from variation to variation, or these would be alike.
 constexpr double kNextTurn = std::numbers::sqrt2 - 1;
 
@@ -180,13 +183,13 @@ struct Layer {
   ThreadPool& pool;
   const CancelToken& poll;
 
-  LaidLines lines_along(const LineField& field) const {
-    const StripePhase phase(surface, field, radius, distances, pool);
+  LaidLines lines_along(const LineField& field, const Tell& tell) const {
+    const StripePhase phase(surface, field, radius, distances, pool, part_of(tell, 0, kPhaseFound));
     return level_lines(surface, phase, radius, spacing.step, variation, poll);
   }
 
   /// Turns the field on tubes where the lines of a whole number are off, and lays these anew.
-  void turn(LineField& field, LaidLines& lines) const {
+  void turn(LineField& field, LaidLines& lines, const Tell& tell) const {
     const std::vector<uint8_t> tubes = closed_tubes(surface);
     const auto all_laid = [&](const LaidLines& of) {
       return laid_on(surface, tubes, distances, radius.most(), spacing, of);
@@ -201,7 +204,9 @@ struct Layer {
       LineField turned = field;
       const double by = share_of_variation(variation) + k * kNextTurn;
       turned.replace(relaxed_field(surface, turn_of_field(by - std::floor(by)), false, pool), in(off));
-      const LaidLines others = lines_along(turned);
+      // As many turns as it takes: each has half of what is left.
+      const double left = std::ldexp(1.0, 1 - static_cast<int>(k));
+      const LaidLines others = lines_along(turned, part_of(tell, 1 - left, 1 - 0.5 * left));
       const std::vector<Laid> now = all_laid(others);
       std::vector<uint8_t> better(laid.size());
       for (size_t c = 0; c < laid.size(); ++c) {
@@ -236,12 +241,12 @@ StartField start_field(const Surface& surface, const LineField& field, const Rad
 
 LaidLines lines_of_phase(const Surface& surface, const RadiusField& radius, const LineSpacing& spacing,
                          double boundary_distance, double rest, uint32_t variation, ThreadPool& pool,
-                         const CancelToken& poll, StartField& field) {
+                         const CancelToken& poll, StartField& field, const Tell& tell) {
   const std::vector<StripeDistances> distances =
       stripe_distances(surface, field, radius, spacing, boundary_distance, rest);
   const Layer layer{surface, radius, distances, spacing, variation, pool, poll};
-  LaidLines lines = layer.lines_along(field.lines);
-  if (field.turns) layer.turn(field.lines, lines);
+  LaidLines lines = layer.lines_along(field.lines, part_of(tell, 0, field.turns ? kFirstLaid : 1));
+  if (field.turns) layer.turn(field.lines, lines, part_of(tell, kFirstLaid, 1));
   size_t points = 0;
   for (const std::vector<SurfacePoint>& line : lines) points += line.size();
   if (LargePages<SurfacePoint>::is_large(points)) PageStore::trim();

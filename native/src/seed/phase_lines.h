@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/cancel_token.h"
+#include "base/tell.h"
 #include "base/thread_pool.h"
 #include "mesh/line_field.h"
 #include "mesh/radius_field.h"
@@ -36,6 +37,7 @@ StartField start_field(const Surface& surface, const LineField& field, const Rad
 std::vector<std::vector<SurfacePoint>> lines_of_phase(const Surface& surface, const RadiusField& radius,
                                                       const LineSpacing& spacing, double boundary_distance, double rest,
                                                       uint32_t variation, ThreadPool& pool,
-                                                      const CancelToken& poll, StartField& field);
+                                                      const CancelToken& poll, StartField& field,
+                                                      const Tell& tell = {});
 
 }  // namespace meander

@@ -42,6 +42,10 @@ constexpr double kLeastAgreement = 0.5, kLeastStrength = 1e-6;
 /// an edge's.
 constexpr double kAlongBoundary = 0.866, kHold = 1;
 
+/// Which share of the time of a phase has passed when its steps end: of a million vertices, on two threads.
+constexpr double kDivided = 0.18, kSignsFound = 0.28, kFacesSeen = 0.37, kCoupled = 0.51, kAllJoined = 0.61,
+                 kCoarseRelaxed = 0.7, kFoundTwice = 0.9, kRelaxed = 0.93, kCrossingsFound = 1;
+
 /// Faces, rows or edges between two asks.
 constexpr uint32_t kPerPoll = 1024;
 
@@ -62,7 +66,7 @@ std::pair<HalfEdge, double> longest_edge(const RefinedSurface& mesh, const Radiu
 
 /// Halves the longest edge of every face until none is too long: those that are it most first, since halving an edge
 /// of a small face beside a large one would leave slivers of that.
-void divide(const Surface& s, const RadiusField& radius, RefinedSurface& mesh, CancelToken& poll) {
+void divide(const Surface& s, const RadiusField& radius, RefinedSurface& mesh, CancelToken& poll, const Tell& passed) {
   double most = 0, faces = 0;
   for (uint32_t f = 0; f < mesh.face_count(); ++f) {
     poll();
@@ -80,6 +84,7 @@ void divide(const Surface& s, const RadiusField& radius, RefinedSurface& mesh, C
         mesh.split_edge(longest.first, mesh.add_vertex(mesh.middle(longest.first)), 0.5);
       }
     }
+    passed(1 / (most * most));  // there are about as many faces
   }
 }
 
@@ -104,19 +109,36 @@ void relax_phase(const PhaseLevel& level, int rounds, Table<Vec2>& values, Cance
 class StripePhase::Relaxation {
  public:
   Relaxation(const Surface& surface, const LineField& field, const RadiusField& radius,
-             std::span<const StripeDistances> distances, StripePhase& phase, ThreadPool& pool)
+             std::span<const StripeDistances> distances, StripePhase& phase, ThreadPool& pool,
+             const Tell& tell)
       : s_(surface), field_(field), radius_(radius), distances_(distances), phase_(phase), mesh_(phase.mesh_),
-        pool_(pool), poll_(pool.poll(kPerPoll)) {}
+        pool_(pool), poll_(pool.poll(kPerPoll)), tell_(tell ? tell : [](double) {}) {}
 
   void run() {
-    divide(s_, radius_, mesh_, poll_);
+    divide(s_, radius_, mesh_, poll_, part_of(tell_, 0, kDivided));
     const bool large = mesh_.vertex_count() > kFoundAgain;
     if (large) PageStore::trim();
     find_signs();
+    tell_(kSignsFound);
     look_at_faces();
+    tell_(kFacesSeen);
     Couplings<Mirroring> edges = couplings();
     std::vector<Vec2> held = holds();
+    tell_(kCoupled);
+    relax(std::move(edges), std::move(held), large);
+    tell_(kRelaxed);
+    leave_vertices();
+    find_crossings();
+    tell_(kCrossingsFound);
+  }
+
+ private:
+  /// From the finest system to ever coarser ones, and back. What is large stands once only: the finest system, and what
+  /// it is made of, are found again.
+  void relax(Couplings<Mirroring> edges, std::vector<Vec2> held, bool large) {
     std::vector<PhaseLevel> levels;
+    const auto all = static_cast<double>(edges.size());
+    const auto share = [all](size_t rows) { return static_cast<double>(rows) / all; };
     while (true) {
       Pairs<Mirroring> pairs(edges, poll_);
       if (pairs.count == edges.size()) break;
@@ -129,6 +151,7 @@ class StripePhase::Relaxation {
       }
       Couplings<Mirroring> coarse = pairs.joined(edges, pool_);
       if (found_again) edges = {};
+      tell_(std::lerp(kAllJoined, kCoupled, share(coarse.size())));
       levels.push_back(
           {std::exchange(edges, std::move(coarse)), std::move(pairs), std::exchange(held, std::move(sums))});
     }
@@ -138,15 +161,14 @@ class StripePhase::Relaxation {
       if (level.edges.size() == 0) {
         look_at_faces();
         level.edges = couplings();
+        tell_(kFoundTwice);
       }
       carry_to(level.pairs);
       relax_phase(level, k < kFinest ? kFineRounds : kRounds, values_, poll_);
+      if (k > 0) tell_(std::lerp(kAllJoined, kCoarseRelaxed, share(level.edges.size())));
     }
-    leave_vertices();
-    find_crossings();
   }
 
- private:
   /// From pairs to their rows.
   void carry_to(const Pairs<Mirroring>& pairs) {
     Table<Vec2> finer(pairs.of.size());
@@ -317,6 +339,7 @@ class StripePhase::Relaxation {
   RefinedSurface& mesh_;
   ThreadPool& pool_;
   CancelToken poll_;
+  Tell tell_;
   std::vector<int8_t> sign_;  // per half-edge: of the line at its corner, as the vertex sees it
   std::vector<int8_t> side_;  // per half-edge: of that line, as its face sees it
   Table<Step> steps_;         // per half-edge, of faces with a direction
@@ -324,9 +347,9 @@ class StripePhase::Relaxation {
 };
 
 StripePhase::StripePhase(const Surface& surface, const LineField& field, const RadiusField& radius,
-                         std::span<const StripeDistances> distances, ThreadPool& pool)
+                         std::span<const StripeDistances> distances, ThreadPool& pool, const Tell& tell)
     : mesh_(surface, true, pool.poll(kPerPoll)) {
-  Relaxation(surface, field, radius, distances, *this, pool).run();
+  Relaxation(surface, field, radius, distances, *this, pool, tell).run();
 }
 
 }  // namespace meander

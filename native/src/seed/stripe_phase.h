@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/tell.h"
 #include "base/thread_pool.h"
 #include "mesh/line_field.h"
 #include "mesh/radius_field.h"
@@ -35,7 +36,7 @@ class StripePhase {
  public:
   /// `distances`  on every component
   StripePhase(const Surface& surface, const LineField& field, const RadiusField& radius,
-              std::span<const StripeDistances> distances, ThreadPool& pool);
+              std::span<const StripeDistances> distances, ThreadPool& pool, const Tell& tell = {});
 
   const RefinedSurface& mesh() const { return mesh_; }
   /// Whether the field has a direction in a face.
