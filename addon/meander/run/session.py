@@ -79,7 +79,7 @@ class Session:
         self._pictured: float | None = None  # when the last picture was given
         self._skipped = False  # whether a tick has passed since
         self._stale = False  # whether `latest` was old when it was taken
-        self.stop_wanted = False
+        self.stop_wanted = self._is_over = False
         self.place = ""  # among several, such as "2 of 5"
         self.ended = False
         # What was asked for while the run was going, until the flow has taken it; what the settings
@@ -158,12 +158,12 @@ class Session:
         return self._wish is not None or not self.stepper.finished or self._goes_on()
 
     def _goes_on(self) -> bool:
-        """Lets a run that has ended go on where its curve is not all that was asked for."""
-        if self.stop_wanted:
-            return False
-        self.stepper.join()
-        if self.stepper.failed or not self.stepper.goes_on():
-            return False
+        """Whether a run that has ended is to go on, or a piece was found of what is told of it."""
+        if not self._is_over:
+            self.stepper.join()
+            self._is_over = self.stop_wanted or self.stepper.failed or not self.stepper.goes_on()
+        if self._is_over:
+            return self.stepper.find_next()
         # What is left of a picture has its corrections in it.
         self._remaining = self._remaining if self.plan.problem.tones else Remaining()
         self.stepper.start()
@@ -220,7 +220,7 @@ class Session:
                     self.stepper.cancel()
         if self._wish is None or not self.stepper.finished:
             return
-        wish, self._wish = self._wish, None
+        wish, self._wish, self._is_over = self._wish, None, False
         self.stepper.join()
         if self.stepper.failed:
             return

@@ -33,6 +33,9 @@ from ..model.whole import whole_of
 # A watched run keeps its curve whenever that has grown by this share of what it is going to be, as
 # long as those copies have no more points than this, which take 100 MB.
 GROWTH_STEP, GROWTH_POINTS = 1.0 / 16.0, 2_000_000
+# What is told of a curve of so many nodes takes a window so long, half a second and more, that it
+# is found piece by piece.
+MANY_NODES = 200_000
 
 
 @dataclass(frozen=True)
@@ -101,6 +104,9 @@ class Stepper:
         self._correction = None if problem.tones is None else Correction(problem.tones)
         self._before: _Line | None = None
         self.surface_figures: dict[str, Any] = {}  # of core.Surface.statistics(), once prepared
+        # What find_next() has found of the result; what it found last of the curve's size.
+        self._found: dict[str, Any] = {}
+        self._nodes = 0
         # Of the library, while the run was going.
         self._progress, self._phase = 0.0, "none"
 
@@ -147,6 +153,7 @@ class Stepper:
             self.defect = f"{str(error).removesuffix('.')}, and add {path} to the report"
 
     def _begin(self) -> None:
+        self._found = {}
         if self._flow is None:
             self._prepare()
         else:
@@ -215,7 +222,10 @@ class Stepper:
                 nodes=round(self._part.times * preview.nodes),
                 length=self._part.times * preview.length,
             )
-        return None if preview is None else self._snapshot(*preview)
+        if preview is None:
+            return None
+        self._nodes = preview.nodes
+        return self._snapshot(*preview)
 
     def revise(self, options: core.FlowOptions, density: np.ndarray | None) -> None:
         """Asks the flow for other options and another density; the run that follows takes them,
@@ -301,6 +311,29 @@ class Stepper:
         except Exception as error:
             self._note(error)
 
+    def find_next(self) -> bool:
+        """Finds one more piece of what result() tells of a curve of many nodes, each of which costs
+        about an iteration, so that a window lives between them; whether there was one.
+
+        After join() only. What goes wrong is for result() to raise.
+        """
+        flow, cancelled = self._flow, self._stop_reason == "cancelled"
+        whole = self._part is None and self._before is None
+        if self._nodes < MANY_NODES or flow is None or self.failed or not whole:
+            return False
+        for name in ("statistics", "gaps", "point_data"):
+            if name not in self._found and not (name == "gaps" and cancelled):
+                try:
+                    self._found[name] = getattr(flow, name)()
+                except core.MeanderError:
+                    return False
+                return True
+        return False
+
+    def _told(self, flow: core.Flow, name: str) -> Any:
+        """What a flow tells, unless find_next() has found it."""
+        return self._found.pop(name) if name in self._found else getattr(flow, name)()
+
     def result(self) -> tuple[Snapshot, dict[str, Any], str]:
         """Waits for the end: the last curve, the full statistics, and the reason of the stop.
 
@@ -318,7 +351,7 @@ class Stepper:
         if self._before is not None and not self._correction.nearest:
             return self._before
         if self._part is None:
-            return self._line_of(self._flow, self._flow.statistics())
+            return self._line_of(self._flow, self._told(self._flow, "statistics"))
         whole = whole_of(self._part, self._flow, self.problem.options)
         self.sources, self.lines_why = whole.sources, whole.why
         with whole.flow as flow:
@@ -336,9 +369,9 @@ class Stepper:
         return _Line(
             (snapshot, statistics, self._stop_reason),
             # One that was stopped by hand has them everywhere, and finding them all takes seconds.
-            None if self._stop_reason == "cancelled" else flow.gaps(),
+            None if self._stop_reason == "cancelled" else self._told(flow, "gaps"),
             flow.guides(),
-            flow.point_data(),
+            self._told(flow, "point_data"),
             flow.rounded(rounding) if rounding else None,
         )
 
