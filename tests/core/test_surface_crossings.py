@@ -12,6 +12,7 @@ import geometry
 import numpy as np
 import pytest
 from flows import fill
+from meander.model.geometry import surface_crossings
 from meander.model.geometry.surface_crossings import crossings
 
 
@@ -87,6 +88,21 @@ def test_what_is_near_the_curve_does_not_cross(tmp_path, capsys, mesh, kind, ext
 def test_all_points_of_an_obj_are_not_looked_at(tmp_path) -> None:
     points, _path = run(geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(20, 2.0)), ".obj")
     assert points["crossings"] is None
+
+
+def test_all_points_of_a_table_are_not_searched(tmp_path, monkeypatch) -> None:
+    # A million take half a minute and a gigabyte.
+    searched = []
+    monkeypatch.setattr(
+        surface_crossings, "crossings", lambda *_given: (searched.append(1), np.empty((0, 3)))[1]
+    )
+    sheet = geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(20, 2.0))
+    for extra in ((), ("--poses",)):
+        points, _path = run(sheet, ".npz", *extra)
+        assert points["crossings"] == 0 and not searched
+    for extra in (("--chord-tolerance", "0.2"), ("--poses", "--standoff", "0.1")):
+        run(sheet, ".npz", *extra)
+        assert searched.pop()
 
 
 def test_on_a_ball(tmp_path) -> None:

@@ -15,6 +15,7 @@ from .. import core
 from ..model import before_writing, export
 from ..model.files.whole import FileError
 from ..model.geometry import surface_crossings, thinning
+from ..model.options.input import light_of
 from ..model.toolpaths import order, parts, poses, toolpath
 from ..model.toolpaths.drawing import ring
 from . import export as export_options
@@ -211,7 +212,10 @@ def write(
     )
     spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
     along_normals = kind is None or kind.name == "ROS"
-    places = _crossings(strands, spacing, arguments) if along_normals else None
+    places = None
+    if along_normals:
+        whole = kind is None and _is_as_it_grew(grown, arguments)
+        places = np.empty((0, 3)) if whole else _crossings(strands, spacing, arguments)
     if arguments.part_length is not None:
         overlap = arguments.part_overlap or 0.0
         strands = parts.parted(strands, arguments.part_length, overlap, mesh)
@@ -250,6 +254,16 @@ def _frames(
     frames, rate = place.blender("--bake-frames").baked_frames(arguments, given, grown)
     chosen = (arguments.resample_step, arguments.chord_tolerance)
     return [(time, toolpath.resampled(strands, *chosen)) for time, strands in frames], rate
+
+
+def _is_as_it_grew(grown: Grown, arguments: argparse.Namespace) -> bool:
+    """Whether the way of the tool has all points of a curve that cannot cross itself: on its
+    surface, with guides, which may, left out."""
+    chosen = (
+        arguments.resample_step, arguments.chord_tolerance, arguments.round, arguments.standoff
+    )  # fmt: skip
+    light = light_of(flags.chosen(arguments))
+    return not any(chosen) and light is None and grown.line is None and not grown.guides.any()
 
 
 def _crossings(
