@@ -114,5 +114,5 @@ def test_comments_name_decisions_that_are_there():
 def test_a_decision_is_found_in_a_broken_comment():
     source = '/// 3 (docs/decisions.md, "Wide\n/// loops"), and 4: docs/decisions.md,\n/// "Necks".'
     assert decisions_named(source) == ["Wide loops", "Necks"]
-    table = 'constexpr double kA = 3;  // r; > 0; "Necks"\nconstexpr double kB = 1;  // r; > 0; free'
+    table = 'constexpr double kA = 3;  // r; > 0; "Necks"\nconstexpr double kB = 1;  // r; free'
     assert decisions_named(table) == ["Necks"]
