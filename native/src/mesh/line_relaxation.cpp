@@ -148,13 +148,15 @@ std::vector<Vec2> along_edges(const Surface& s) {
 
 }  // namespace
 
-LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, ThreadPool& pool) {
+LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, ThreadPool& pool,
+                        std::span<const Vec2> holding) {
   std::vector<Level> levels;
   CancelToken poll = pool.poll(kFacesPerPoll);
   const std::vector<Vec2> carried = carried_across(surface, pool);
   std::vector<Vec2> lines = first_lines(surface, poll);
   for (Vec2& line : lines) line = turn * line;
   std::vector<Vec2> held = along_boundary ? along_edges(surface) : std::vector<Vec2>(lines.size());
+  for (size_t f = 0; f < holding.size(); ++f) held[f] = held[f] + holding[f];
   Couplings<Vec2> edges = of_faces(surface, carried, pool);
   while (true) {
     Pairs<Vec2> pairs(edges, poll);

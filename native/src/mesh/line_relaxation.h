@@ -3,6 +3,8 @@
 // A smooth field of lines in a time that grows with the number of faces.
 #pragma once
 
+#include <span>
+
 #include "base/thread_pool.h"
 #include "mesh/line_field.h"
 
@@ -21,7 +23,10 @@ namespace meander {
 /// `turn`            a number of length 1, with half of whose angle the lines are turned at first: without a boundary
 ///                   that holds them they stay turned, and are as smooth
 /// `along_boundary`  the boundary holds lines along itself, as much as another face would beyond it
-LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, ThreadPool& pool);
+/// `held`            per face, or nothing: the square of a line that holds its own, times how much it does, where 1 is
+///                   as much as what is across an edge as long as the way across it
+LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, ThreadPool& pool,
+                        std::span<const Vec2> held = {});
 
 /// Along the boundary in the faces beside it, and the mean of those in the faces between, as far as kSweeps faces away:
 /// for strips of a few faces across. No direction elsewhere. Every face has one line: between two legs of a zigzag that

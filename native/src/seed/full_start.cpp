@@ -195,7 +195,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
   const CancelToken poll = pool.poll(kPieces);
   passed(kFieldBegins);
-  StartField whole = start_field(surface, field, radius, variation, pool);
+  StartField whole = start_field(surface, *patches, field, radius, variation, pool);
   passed(kLinesBegin);
   std::vector<std::vector<SurfacePoint>> first_lines;
   if (lines_of != StartLines::kStreamlines) {

@@ -17,12 +17,17 @@
 #include "mesh/line_relaxation.h"
 #include "mesh/strips.h"
 #include "seed/level_lines.h"
+#include "seed/limbs.h"
 
 namespace meander {
 namespace {
 
 /// Lines follow strips and stems that are narrower than the first, in r; there are two from the second width on.
 constexpr double kNarrow = 6.4, kTwoAlong = 16.0 / 3;
+
+/// Lines lead along limbs that are less than this round, in r: where there is as little room round a limb, those that
+/// wind round it come too near to themselves. docs/decisions.md, "Along thin limbs".
+constexpr double kThinLimb = 3;
 
 /// Where lines are off by more than the first, as a share of their length, they are laid otherwise, so often, until
 /// they are off by no more than the second together with their links. docs/decisions.md, "Whole numbers of lines round
@@ -74,17 +79,20 @@ Vec2 turn_of_field(double share) {
   return share == 0 ? Vec2{1, 0} : Vec2{elementary::cos(angle), elementary::sin(angle)};
 }
 
-/// The smoothest field, which the boundary holds but for straight sheets. Where none holds it, it is as smooth turned
-/// by any angle, which is that of the variation. In strips lines lie along these: the smoothest field of a flat ring is
-/// parallel, and its lines are short there. Lines of a density stay parallel: their distances say enough.
-StartField smooth_field(const Surface& surface, const RadiusField& radius, uint32_t variation, ThreadPool& pool) {
+/// The smoothest field, which thin limbs hold, and the boundary but for straight sheets. Where nothing holds it, it is
+/// as smooth turned by any angle, which is that of the variation. In strips lines lie along these: the smoothest field
+/// of a flat ring is parallel, and its lines are short there. Lines of a density stay parallel: their distances say
+/// enough.
+StartField smooth_field(const Surface& surface, const SurfacePatches& patches, const RadiusField& radius,
+                        uint32_t variation, ThreadPool& pool) {
   const Vec2 turn = turn_of_field(share_of_variation(variation));
-  StartField smooth{relaxed_field(surface, turn, false, pool), widths_of_strips(surface, radius), false};
+  const std::vector<Vec2> limbs = bending_of_limbs(surface, patches, radius, kThinLimb, pool);
+  StartField smooth{relaxed_field(surface, turn, false, pool, limbs), widths_of_strips(surface, radius), false};
   const std::vector<double>& narrow = smooth.widths;
   if (!surface.boundary().empty() && !radius.varies()) {
     const std::vector<uint8_t> straight = straight_sheets(surface, smooth.lines, radius.most());
     if (std::ranges::count(straight, 0) > 0) {
-      smooth.lines.replace(relaxed_field(surface, turn, true, pool),
+      smooth.lines.replace(relaxed_field(surface, turn, true, pool, limbs),
                            [&](uint32_t f) { return !straight[surface.component(f)]; });
     }
   }
@@ -226,11 +234,11 @@ struct Layer {
 
 }  // namespace
 
-StartField start_field(const Surface& surface, const LineField& field, const RadiusField& radius, uint32_t variation,
-                       ThreadPool& pool) {
+StartField start_field(const Surface& surface, const SurfacePatches& patches, const LineField& field,
+                       const RadiusField& radius, uint32_t variation, ThreadPool& pool) {
   const std::vector<uint8_t> without = without_field(surface, field);
   if (std::ranges::count(without, 1) == 0) return {field, std::vector<double>(without.size(), 0), false};
-  StartField smooth = smooth_field(surface, radius, variation, pool);
+  StartField smooth = smooth_field(surface, patches, radius, variation, pool);
   smooth.turns = field.empty() && !radius.varies();
   if (field.empty()) return smooth;
   LineField both = field;

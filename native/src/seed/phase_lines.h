@@ -9,6 +9,7 @@
 #include "base/cancel_token.h"
 #include "base/tell.h"
 #include "base/thread_pool.h"
+#include "geodesic/surface_patches.h"
 #include "mesh/line_field.h"
 #include "mesh/radius_field.h"
 #include "mesh/surface_point.h"
@@ -25,8 +26,8 @@ struct StartField {
 /// The field that was asked for and, on components without any, the smoothest one.
 ///
 /// `variation`  by which a smooth field is turned
-StartField start_field(const Surface& surface, const LineField& field, const RadiusField& radius, uint32_t variation,
-                       ThreadPool& pool);
+StartField start_field(const Surface& surface, const SurfacePatches& patches, const LineField& field,
+                       const RadiusField& radius, uint32_t variation, ThreadPool& pool);
 
 /// Where the phase of the field is 0; see level_lines. Round a tube that closes there is a whole number of lines, a
 /// sixth too near to each other or too far apart where that is small. So where a smooth field has no singular face, as
