@@ -131,6 +131,44 @@ void expect_slope_and_curvature(Scene& s, const Strand& strand) {
   }
 }
 
+/// A place that a node is to have across the field pulls it there, with a Hessian that leads there in one step.
+TEST(Energy, OfPlacesIsASquareAcrossTheField) {
+  for (const Mesh& mesh : meshes()) {
+    Scene s(mesh, 58);
+    s.align();
+    const double without = energy(s.curve, s.radii, s.metric, s.weights, s.pool);
+    const Strand& strand = s.curve.strands[0];
+    StrandSystem free, held;
+    assemble(s.curve, strand, s.frames, s.radii, s.metric, s.weights, s.pool, free);
+    s.weights.hold.resize(s.curve.size());
+    s.weights.to_place.resize(s.curve.size());
+    double sum = 0;
+    for (uint32_t i = 0; i < s.curve.size(); ++i) {
+      const Vec2 line = s.weights.field[i];
+      const double r = s.metric.radius[i], way = r * s.rng.in(-1, 1);
+      s.weights.hold[i] = s.rng.in(0.5, 3);
+      s.weights.to_place[i] = way * unit(Vec2{-line.y, line.x});
+      const uint32_t before = s.curve.previous(i);
+      const double w = 0.5 * ((s.curve.has_segment(i) ? s.curve.shapes[i].length : 0) +
+                              (before != kNone ? s.curve.shapes[before].length : 0));
+      sum += s.weights.hold[i] * w * way * way / (r * r);
+    }
+    EXPECT_NEAR(energy(s.curve, s.radii, s.metric, s.weights, s.pool) - without, sum, 1e-9 * sum);
+    assemble(s.curve, strand, s.frames, s.radii, s.metric, s.weights, s.pool, held);
+    for (uint32_t k = 0; k < strand.count; ++k) {
+      const Vec2 d = s.weights.to_place[strand.first + k] * conj(held.frame[k]);
+      const Sym2 &with = held.diagonal_block[k], &other = free.diagonal_block[k];
+      const double xx = with.xx - other.xx, xy = with.xy - other.xy, yy = with.yy - other.yy;
+      const Vec2 pull = held.right[k] - free.right[k];
+      const double rounding = 1e-9 * (1 + norm(held.right[k]));
+      EXPECT_NEAR(xx * d.x + xy * d.y, pull.x, rounding);
+      EXPECT_NEAR(xy * d.x + yy * d.y, pull.y, rounding);
+      EXPECT_NEAR(xx * yy, xy * xy, 1e-9 * (xx + yy) * (xx + yy));  // nothing along the field
+      EXPECT_GT(dot(pull, d), 0);
+    }
+  }
+}
+
 TEST(Energy, OfPowersHasTheSystemsSlopeAndCurvature) {
   for (const Mesh& mesh : meshes()) {
     for (const double p : {1.0, 1.5, 3.0, 6.0}) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether the lines of a field stay as far apart as they are, and how wide a surface is across them.
+// Whether the lines of a field stay as far apart as they are, how wide a surface is across them, and where rows lie.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "meshes.h"
 #include "mesh/even_lines.h"
+#include "seed/even_rows.h"
 
 namespace meander::test::even_lines_tests {
 namespace {
@@ -46,10 +48,49 @@ TEST(EvenLines, AreThoseOfSheetsAndPipesAndNotAlongCones) {
 TEST(EvenLines, WidthsAreAcrossThem) {
   const Surface sheet = make_surface(flat_grid(7)), pipe = tube(0);
   const double side = std::sqrt(sheet.area());
-  EXPECT_NEAR(widths_across(sheet, along_axis(sheet, {1, 0, 0}))[0], side, 1e-6);
-  EXPECT_NEAR(widths_across(sheet, along_axis(sheet, {1, 1, 0}))[0], std::sqrt(2.0) * side, 1e-6);
-  EXPECT_NEAR(widths_across(pipe, along_axis(pipe, {0, 0, 1}, true))[0] * pipe.scale(), 2, 1e-6);
-  EXPECT_EQ(widths_across(pipe, along_axis(pipe, {0, 0, 1}))[0], 0);  // it closes on itself
+  EXPECT_NEAR(heights_across(sheet, along_axis(sheet, {1, 0, 0})).width[0], side, 1e-6);
+  EXPECT_NEAR(heights_across(sheet, along_axis(sheet, {1, 1, 0})).width[0], std::sqrt(2.0) * side, 1e-6);
+  EXPECT_NEAR(heights_across(pipe, along_axis(pipe, {0, 0, 1}, true)).width[0] * pipe.scale(), 2, 1e-6);
+  EXPECT_EQ(heights_across(pipe, along_axis(pipe, {0, 0, 1})).width[0], 0);  // it closes on itself
+}
+
+TEST(EvenLines, HeightsAreOneFunctionOfTheSurface) {
+  const Surface pipe = tube(0);
+  const HeightsAcross across = heights_across(pipe, along_axis(pipe, {0, 0, 1}, true));
+  EXPECT_LT(across.gap[0], 1e-9);
+  const auto z = [&](const SurfacePoint& p) { return position(pipe, p).z(); };
+  const SurfacePoint first = make_point(0, 1, 0, 0);
+  const double sign = across.at(pipe, make_point(1, 1, 1, 1)) > across.at(pipe, first) ? 1 : -1;
+  for (uint32_t f = 0; f < pipe.face_count(); ++f) {
+    const SurfacePoint p = make_point(f, 0.5, 0.3, 0.2);
+    EXPECT_NEAR(sign * (across.at(pipe, p) - across.at(pipe, first)), z(p) - z(first), 1e-9);
+  }
+}
+
+TEST(EvenRows, LieInTheMiddlesOfEqualPartsOfTheWidth) {
+  const Surface pipe = tube(0);
+  const double length = heights_across(pipe, along_axis(pipe, {0, 0, 1}, true)).width[0];
+  constexpr double kRows = 8;
+  // Room for 8.4 rows, and there are eight.
+  const double spacing = length / (kRows + 0.4);
+  const EvenRows rows(pipe, along_axis(pipe, {0, 0, 1}, true), 0.5 * spacing, 0.5, 1);
+  EXPECT_NEAR(rows.spread(), (kRows + 0.4) / kRows, 1e-9);
+  double least = 1;
+  for (uint32_t f = 0; f < pipe.face_count(); ++f) least = std::min(least, position(pipe, make_point(f, 1, 0, 0)).z());
+  for (uint32_t f = 0; f < pipe.face_count(); ++f) {
+    for (const SurfacePoint& p : {make_point(f, 1, 1, 1), make_point(f, 0.7, 0.2, 0.1)}) {
+      const double row = (position(pipe, p).z() - least) / length * kRows - 0.5;
+      const double off = row - std::round(row);
+      const double wanted = -std::sin(2 * kPi * off) / (2 * kPi) * length / kRows;
+      const Vec2 way = rows.towards_row(pipe, p);
+      EXPECT_NEAR(pipe.to_space(f, way).z(), wanted, 1e-9);
+      EXPECT_NEAR(norm(way), std::abs(wanted), 1e-9);
+    }
+  }
+  // Rows along a pipe may lie anywhere round it.
+  const EvenRows along(pipe, along_axis(pipe, {0, 0, 1}), 0.5 * spacing, 0.5, 1);
+  EXPECT_EQ(norm(along.towards_row(pipe, make_point(3, 1, 1, 1))), 0);
+  EXPECT_EQ(along.spread(), 1);
 }
 
 }  // namespace

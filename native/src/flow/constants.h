@@ -111,6 +111,11 @@ inline constexpr double kTurnEnds = 2;                      // r; 0 to kRowBegin
 inline constexpr double kRowBegins = 8;                     // r; > 0; "Straight rows"
 inline constexpr double kSquareOfTurn = 0.18;               // squared sine; 0 to 1; geometry
 
+/// There they are also drawn to their places; and r is as many times as large as their distance asks for, since turns of
+/// rows that are too far apart grow in between.
+inline constexpr double kHoldOfRow = 100;                   // weight; >= 0; "Straight rows"
+inline constexpr double kRowsFill = 1.05;                   // times; >= 1; "Straight rows"
+
 // ---- Weights: the polish --------------------------------------------------------------------------------------------
 
 /// Strands that follow a field come to rest farther apart: by at most the first, and by half of it at the second value

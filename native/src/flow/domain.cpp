@@ -55,7 +55,7 @@ Domain::Domain(std::shared_ptr<const Surface> where, RadiusField asked, LineFiel
   look_at_scale(settings, pool);
   boundary = sampled_boundary(*surface, settings);
   patches = patches_for(*surface, wanted_radius, settings, pool);
-  look_at_lines();
+  look_at_lines(settings);
 }
 
 void Domain::set_radius(double factor, const Curve& curve, const FlowSettings& settings) {
@@ -85,7 +85,12 @@ void Domain::look_at_scale(const FlowSettings& settings, ThreadPool& pool) {
   expected_length = filling_length(*surface, wanted_radius);
 }
 
-void Domain::look_at_lines() { even_rows = !asked_radius.varies() && has_even_lines(*surface, directions); }
+void Domain::look_at_lines(const FlowSettings& settings) {
+  even_rows = !asked_radius.varies() && has_even_lines(*surface, directions);
+  rows.reset();
+  if (!even_rows || !settings.full_start || !settings.polish) return;
+  rows = std::make_shared<const EvenRows>(*surface, directions, wanted_radius.most(), settings.boundary_distance, rest);
+}
 
 Domain Domain::moved_to(std::shared_ptr<const Surface> where, double old_radius, const FlowSettings& settings,
                         ThreadPool& pool) const {
@@ -93,14 +98,14 @@ Domain Domain::moved_to(std::shared_ptr<const Surface> where, double old_radius,
   asked.rescale(old_radius, settings.radius);
   Domain moved(std::move(where), std::move(asked), directions, settings, pool);
   moved.directions.ride(*surface, *moved.surface);
-  moved.look_at_lines();
+  moved.look_at_lines(settings);
   return moved;
 }
 
 void Domain::follow(LineField field, const FlowSettings& settings, ThreadPool& pool) {
   if (surface != given) field.ride(*given, *surface);
   directions = std::move(field);
-  look_at_lines();
+  look_at_lines(settings);
   const double before = std::exchange(rest, settings.rest(!directions.empty()));
   if (rest == before) return;
   for (RadiusField* r : {&wanted_radius, &radius}) r->rescale(rest, before);
@@ -132,7 +137,7 @@ Domain Domain::revised(const FlowSettings& old, const FlowSettings& settings, co
   if (!same_surface || next.wanted_radius != wanted_radius || !same_clamp || settings.medial_axis != old.medial_axis) {
     next.patches = patches_for(*next.surface, next.wanted_radius, settings, pool);
   }
-  next.look_at_lines();
+  next.look_at_lines(settings);
   if (settings.radius != old.radius) next.normals = std::make_shared<const NormalField>(*given, settings.radius);
   return next;
 }

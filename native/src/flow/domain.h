@@ -11,11 +11,11 @@
 
 #include "flow/settings.h"
 #include "geodesic/surface_patches.h"
-#include "mesh/even_lines.h"
 #include "mesh/line_field.h"
 #include "mesh/normal_field.h"
 #include "mesh/radius_field.h"
 #include "mesh/surface_at_scale.h"
+#include "seed/even_rows.h"
 
 namespace meander {
 
@@ -86,13 +86,14 @@ struct Domain {
   double expected_length;     ///< of a curve that fills the surface: area over spacing
   LineField directions;       ///< that strands are to follow; may be empty
   bool even_rows = false;     ///< they can, at one spacing all along; see has_even_lines
+  std::shared_ptr<const EvenRows> rows;  ///< where these are to lie in a full start; else null
   std::shared_ptr<const BoundaryObstacle> boundary;
   std::shared_ptr<const SurfacePatches> patches;  ///< for MedialAxis::kGeodesic, else null
   std::shared_ptr<const NormalField> normals;     ///< of the given surface, found when they are asked for
 
  private:
   void look_at_scale(const FlowSettings& settings, ThreadPool& pool);
-  void look_at_lines();
+  void look_at_lines(const FlowSettings& settings);
 };
 
 /// More nodes than this are refused, for want of memory.

@@ -12,6 +12,9 @@ namespace {
 /// A median of more nodes says no more.
 constexpr uint32_t kMostLookedAt = 1u << 16;
 
+/// Nor does r change by more than this where few rows are far from their distance. Not measured.
+constexpr double kMostOfRows = 0.15;
+
 /// The median of the medial radii on both sides of the nodes that are not of guides, in the local r; 0 where there are
 /// none. Of very many nodes evenly many are looked at.
 double median_spacing(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric) {
@@ -41,10 +44,13 @@ double next_correction(const IterationPlan& plan, const FlowState& before, const
   const Domain& domain = before.domain;
   const double now = domain.correction;
   // What is not corrected has nothing to take back, in narrow parts r is that of the room, and rows that were laid so
-  // that a whole number divides the width have no other distance.
+  // that a whole number divides the width have that distance.
   const bool takes_back = plan.correction == SpacingCorrection::kTakenBack;
   const bool counted = domain.even_rows && before.settings.full_start;
   const bool kept = plan.correction == SpacingCorrection::kKept || (takes_back && now == 1);
+  if (counted && domain.rows && !domain.whole_radius) {
+    return std::clamp(kRowsFill * domain.rows->spread(), 1 - kMostOfRows, 1 + kMostOfRows);
+  }
   if (kept || domain.whole_radius || counted) return now;
   const double found = median_spacing(before.curve, radii, before.metric) / domain.rest * now;
   if (!(found > 0)) return now;

@@ -70,6 +70,21 @@ double scale_of_deviation(double way_from_turn) {
   return 1 / std::lerp(1.0, 1 / kStraightRow, t * t);
 }
 
+/// Rows that have places are drawn there as much as they are held straight: from one row to the next a shift dies away
+/// over more iterations than there are, as beside a rim that lets the outermost row bow.
+void hold_in_place(const Weighting& w, const NodeData<double>& way) {
+  const Domain& domain = w.state.domain;
+  if (way.empty() || !domain.rows || domain.whole_radius) return;
+  w.weights.hold.resize(w.size());
+  w.weights.to_place.resize(w.size());
+  w.pool.for_blocks(w.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
+    for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
+      w.weights.hold[i] = kHoldOfRow * (1 / scale_of_deviation(way[i]) - 1) / (1 / kStraightRow - 1);
+      w.weights.to_place[i] = domain.rows->towards_row(*domain.surface, w.state.curve.nodes[i]);
+    }
+  });
+}
+
 /// The field at the nodes, and how much it weighs there (eq. 11).
 ///
 /// Rows end in hairpins, and no weight changes that: pulled along the field, a tip only draws the strands beside it
@@ -79,6 +94,8 @@ double scale_of_deviation(double way_from_turn) {
 void align(const Weighting& w) {
   w.weights.alignment.clear();
   w.weights.field.clear();
+  w.weights.hold.clear();
+  w.weights.to_place.clear();
   if (!w.aligned()) return;
   w.weights.alignment.resize(w.size());
   w.weights.field.resize(w.size());
@@ -96,6 +113,7 @@ void align(const Weighting& w) {
       w.weights.alignment[i] = robust * robust * w.settings().alignment_weight / scale;
     }
   });
+  hold_in_place(w, way);
 }
 
 /// The length weight that pushes node i along the field.

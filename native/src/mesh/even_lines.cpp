@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace meander {
 namespace {
@@ -84,43 +85,50 @@ bool has_even_lines(const Surface& surface, const LineField& field) {
   return !field.empty() && std::ranges::count(with_even_lines(surface, field), 0) == 0;
 }
 
-std::vector<double> widths_across(const Surface& surface, const LineField& field) {
+HeightsAcross heights_across(const Surface& surface, const LineField& field) {
   std::vector<double> low(surface.component_count(), std::numeric_limits<double>::infinity());
   std::vector<double> high(low.size(), -std::numeric_limits<double>::infinity());
   std::vector<uint8_t> seen(surface.face_count(), 0);
-  std::vector<double> first_height(surface.face_count(), 0);
-  std::vector<uint8_t> closes(low.size(), 0);
+  HeightsAcross across;
+  across.line.resize(surface.face_count());
+  across.first.resize(surface.face_count());
+  across.gap.assign(low.size(), 0);
   std::vector<Placed> front;
+  const auto place = [&](const Placed& placed) {
+    seen[placed.face] = 1;
+    across.line[placed.face] = placed.line;
+    across.first[placed.face] = placed.height;
+    front.push_back(placed);
+  };
   for (uint32_t first = 0; first < surface.face_count(); ++first) {
     if (seen[first]) continue;
-    seen[first] = 1;
-    front.assign(1, {first, line_of_face(field, first), 0});
+    front.clear();
+    place({first, line_of_face(field, first), 0});
     for (size_t k = 0; k < front.size(); ++k) {
       const Placed here = front[k];
+      const uint32_t component = surface.component(here.face);
       double height = here.height;
       for (uint32_t c = 0; c < 3; ++c) {
         const HalfEdge e = 3 * here.face + c, twin = surface.twin(e);
-        const uint32_t component = surface.component(here.face);
         low[component] = std::min(low[component], height);
         high[component] = std::max(high[component], height);
-        const double next = height + cross(here.line, surface.along(e));
-        if (twin != kNone) {
-          const Placed other = beyond(surface, field, here.line, e, next);
-          double& known = first_height[other.face];
-          if (!seen[other.face]) {
-            seen[other.face] = 1;
-            known = other.height;
-            front.push_back(other);
-          } else if (std::abs(known - other.height) > kMostSpreading * std::sqrt(surface.area())) {
-            closes[component] = 1;
-          }
+        height += cross(here.line, surface.along(e));
+        if (twin == kNone) continue;
+        const Placed other = beyond(surface, field, here.line, e, height);
+        if (!seen[other.face]) {
+          place(other);
+        } else {
+          double& gap = across.gap[component];
+          gap = std::max(gap, std::abs(across.first[other.face] - other.height));
         }
-        height = next;
       }
     }
   }
-  for (size_t k = 0; k < low.size(); ++k) high[k] = closes[k] ? 0 : high[k] - low[k];
-  return high;
+  const double most = kMostSpreading * std::sqrt(surface.area());
+  for (size_t k = 0; k < low.size(); ++k) high[k] = across.gap[k] > most ? 0 : high[k] - low[k];
+  across.low = std::move(low);
+  across.width = std::move(high);
+  return across;
 }
 
 }  // namespace meander

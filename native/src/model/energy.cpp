@@ -18,6 +18,13 @@ double segment_length(const Curve& curve, uint32_t i, double r) {
   return std::max(curve.shapes[i].length, kShortest * r);
 }
 
+/// w of a node.
+double length_of_node(const Curve& curve, uint32_t i, double r) {
+  const uint32_t before = curve.previous(i);
+  return 0.5 * ((curve.has_segment(i) ? segment_length(curve, i, r) : 0) +
+                (before != kNone ? segment_length(curve, before, r) : 0));
+}
+
 /// x^e; for the even whole numbers that presets use without the general function's cost.
 double power(double x, double e) {
   if (e == 0) return 1;
@@ -145,6 +152,7 @@ struct Assembly {
   void add_length(uint32_t k);
   void add_field(uint32_t k);
   void add_medial(uint32_t k);
+  void add_place(uint32_t k);
   void add_bending(uint32_t k);
   void eliminate_fixed();
 
@@ -212,10 +220,9 @@ void Assembly::add_field(uint32_t k) {
 
 /// Eq. 7, and eq. 13 for a medial power other than 2: node k between its two medial centres.
 void Assembly::add_medial(uint32_t k) {
-  const uint32_t i = strand.first + k, before = curve.previous(i);
+  const uint32_t i = strand.first + k;
   const double r = metric.radius[i];
-  const double w = 0.5 * ((curve.has_segment(i) ? segment_length(curve, i, r) : 0) +
-                          (before != kNone ? segment_length(curve, before, r) : 0));
+  const double w = length_of_node(curve, i, r);
   const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
   const Vec2 b = frames.bitangent2[i] * conj(system.frame[k]);
   const double stiffening = weights.medial_stiffening.empty() ? 1 : weights.medial_stiffening[i];
@@ -229,6 +236,18 @@ void Assembly::add_medial(uint32_t k) {
     system.diagonal[k] += hessian_scale * f.stiffness;
   }
   add_gradient(k, -2 * alpha * w * f.pull * b);
+}
+
+/// Node k across the field from where it is to be.
+void Assembly::add_place(uint32_t k) {
+  const uint32_t i = strand.first + k;
+  const Vec2 line = weights.field[i];
+  if (weights.hold[i] == 0 || norm(line) == 0) return;
+  const double r = metric.radius[i];
+  const double stiffness = 2 * weights.hold[i] * length_of_node(curve, i, r) / (r * r);
+  const Vec2 across = unit(Vec2{-line.y, line.x}), there = across * conj(system.frame[k]);
+  system.diagonal_block[k].add(stiffness, there);
+  add_gradient(k, -stiffness * dot(weights.to_place[i], across) * there);
 }
 
 /// Eq. 12: the turn at the node between segments k and k + 1, which nodes k, k + 1 and k + 2 decide.
@@ -289,6 +308,12 @@ double power_energy_of_segment(const Curve& curve, const Weights& weights, doubl
   return t * (2 / weights.length_power * c - 1) * curve.shapes[i].length;  // in place of t l
 }
 
+/// The place of a node.
+double place_energy_of_node(const Curve& curve, double r, const Weights& weights, uint32_t i) {
+  const Vec2 d = weights.to_place[i];
+  return weights.hold[i] * length_of_node(curve, i, r) * dot(d, d) / (r * r);
+}
+
 /// Eq. 11 for a segment.
 double field_energy_of_segment(const Curve& curve, const Weights& weights, uint32_t i) {
   const uint32_t j = curve.next(i);
@@ -327,7 +352,10 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
     assembly.add_length(k);
     if (!weights.alignment.empty()) assembly.add_field(k);
   });
-  for_terms(n, pool, [&](uint32_t k) { assembly.add_medial(k); });
+  for_terms(n, pool, [&](uint32_t k) {
+    assembly.add_medial(k);
+    if (!weights.hold.empty()) assembly.add_place(k);
+  });
   // At the node between segments k and k + 1.
   for_terms(strand.closed || segments == 0 ? segments : segments - 1, pool,
             [&](uint32_t k) { assembly.add_bending(k); });
@@ -356,6 +384,9 @@ double energy(const Curve& curve, const NodeData<Radii>& radii, const LocalMetri
   }
   for (uint32_t i = 0; i < curve.size() && !weights.alignment.empty(); ++i) {
     if (curve.has_segment(i)) sum += field_energy_of_segment(curve, weights, i);
+  }
+  for (uint32_t i = 0; i < curve.size() && !weights.hold.empty(); ++i) {
+    sum += place_energy_of_node(curve, metric.radius[i], weights, i);
   }
   return sum;
 }

@@ -13,6 +13,7 @@
 //                      whose force at a radius of r is that of q = 2, so the spacing stays the same
 //   bending  (eq. 12)  b r_i^2 / w_i |(u_i - (z_i - z_(i+1)) / l_i) - (u_(i-1) - (z_(i-1) - z_i) / l_(i-1))|^2
 //   field    (eq. 11)  beta_i / l_i |(z_i - z_(i+1) - l_i u_i) x (X_i + X_(i+1))|^2
+//   place              eta_i w_i |(z_i - d_i) x X_i|^2 / r_i^2
 //
 // with u_i the unit direction of segment i, and X the field's lines, of the sign that makes X_(i+1)
 // the nearer to X_i. Without the last term the Hessian is a real symmetric band of width 2 for both

@@ -28,8 +28,13 @@ struct Weights {
   NodeData<double> alignment;  ///< beta; empty: no field
   NodeData<Vec2> field;        ///< X in the plane of the node's face; at most of length 1
 
+  NodeData<double> hold;       ///< eta; empty: nothing is held where it is to be
+  NodeData<Vec2> to_place;     ///< d, how far away across the field that is, in the plane of the node's face
+
   /// Hands the memory of the lists on; what they say is lost.
-  void hand_on() noexcept { meander::hand_on(length, bending, medial_stiffening, alignment, field); }
+  void hand_on() noexcept {
+    meander::hand_on(length, bending, medial_stiffening, alignment, field, hold, to_place);
+  }
 
   bool coupled() const { return medial_blocks || length_power != 2 || !alignment.empty(); }
 };

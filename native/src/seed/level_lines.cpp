@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <ranges>
 #include <utility>
 
@@ -23,12 +24,13 @@ class LineFollower {
       : s_(surface), phase_(phase), mesh_(phase.mesh()), radius_(radius), poll_(poll),
         passed_(mesh_.half_edge_count() / 2, 0) {}
 
-  std::vector<std::vector<SurfacePoint>> all(double step, double begins_at) {
+  std::vector<std::vector<SurfacePoint>> all(double step, double begins_at, const std::vector<uint8_t>& in_line) {
     struct Line {
       double radius;  // mean
       std::vector<SurfacePoint> points;
     };
     std::vector<Line> lines;
+    std::vector<std::optional<Vec3>> beside(in_line.size());
     for (HalfEdge h = 0; h < mesh_.half_edge_count(); h += 2) {
       poll_();
       if (!crossed(h) || passed_[h / 2]) continue;
@@ -43,6 +45,7 @@ class LineFollower {
       } else {
         follow(h, line);
       }
+      if (closed && in_line[s_.component(line[0].face)]) begin_beside(beside[s_.component(line[0].face)], line);
       double length = 0, in_radii = 0;
       for (const Straight& part : line) {
         length += length_of(part);
@@ -80,6 +83,15 @@ class LineFollower {
     }
   }
 
+  /// Begins a closed line where it is nearest to a place, or this is where it begins.
+  void begin_beside(std::optional<Vec3>& place, std::vector<Straight>& line) const {
+    const auto begin = [&](const Straight& part) { return position(s_, SurfacePoint{part.face, part.from}); };
+    if (!place) place = begin(line[0]);
+    const auto nearest =
+        std::ranges::min_element(line, {}, [&](const Straight& part) { return (begin(part) - *place).norm(); });
+    std::rotate(line.begin(), nearest, line.end());
+  }
+
   double length_of(const Straight& part) const {
     const SurfacePoint from{part.face, part.from}, to{part.face, part.to};
     return norm(flat(s_, to) - flat(s_, from));
@@ -114,8 +126,9 @@ class LineFollower {
 
 std::vector<std::vector<SurfacePoint>> level_lines(const Surface& surface, const StripePhase& phase,
                                                    const RadiusField& radius, double step, uint32_t variation,
+                                                   const std::vector<uint8_t>& in_line,
                                                    CancelToken poll) {
-  return LineFollower(surface, phase, radius, poll).all(step, share_of_variation(variation));
+  return LineFollower(surface, phase, radius, poll).all(step, share_of_variation(variation), in_line);
 }
 
 }  // namespace meander

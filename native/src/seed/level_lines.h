@@ -17,8 +17,11 @@ namespace meander {
 ///
 /// `step`       between two points, in local radii
 /// `variation`  where closed ones begin
+/// `in_line`    on which components all closed ones begin beside the first: turns of rows round a pipe are all there
+///              then; on two sides of the pipe they push the rows between them askew
 std::vector<std::vector<SurfacePoint>> level_lines(const Surface& surface, const StripePhase& phase,
                                                    const RadiusField& radius, double step, uint32_t variation,
+                                                   const std::vector<uint8_t>& in_line,
                                                    CancelToken poll);
 
 }  // namespace meander

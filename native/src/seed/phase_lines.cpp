@@ -16,6 +16,7 @@
 #include "mesh/even_lines.h"
 #include "mesh/line_relaxation.h"
 #include "mesh/strips.h"
+#include "seed/even_rows.h"
 #include "seed/level_lines.h"
 #include "seed/limbs.h"
 
@@ -103,13 +104,6 @@ StartField smooth_field(const Surface& surface, const SurfacePatches& patches, c
   return smooth;
 }
 
-/// Of two whole numbers that are as near the lower one, as where an odd number of strands would fit: a closed line has
-/// an even one, and strands that are too far apart look better than ones that are too near.
-double nearest_count(double lines) {
-  constexpr double kRounding = 1e-6;
-  return std::max(std::ceil(lines * (1 - kRounding) - 0.5), 1.0);
-}
-
 /// Of lines that are as long together as they are to be. Where lines are even a whole number of them divides the width,
 /// by how far apart strands are to come: even rows stay as far apart as they are laid.
 std::vector<StripeDistances> stripe_distances(const Surface& surface, const StartField& field,
@@ -120,12 +114,11 @@ std::vector<StripeDistances> stripe_distances(const Surface& surface, const Star
   std::vector<StripeDistances> distances(surface.component_count(), at(spacing.apart / spacing.full));
   if (radius.varies()) return distances;
   const std::vector<uint8_t> even = with_even_lines(surface, field.lines);
-  const std::vector<double> across =
-      std::ranges::count(even, 1) > 0 ? widths_across(surface, field.lines) : std::vector<double>(even.size(), 0);
+  std::vector<double> across(even.size(), 0);
+  if (std::ranges::count(even, 1) > 0) across = heights_across(surface, field.lines).width;
   for (size_t k = 0; k < even.size(); ++k) {
     if (even[k] && across[k] > 0) {
-      const double width = across[k] / radius.most() - 2 * margin;
-      distances[k] = at(width / nearest_count(width / (rest * spacing.apart)));
+      distances[k] = at(even_distance(across[k] / radius.most(), margin, rest * spacing.apart));
     } else if (field.widths[k] > 0) {
       distances[k] = at(field.widths[k] / (field.widths[k] < kTwoAlong ? 1 : 2));
     }
@@ -190,10 +183,11 @@ struct Layer {
   uint32_t variation;
   ThreadPool& pool;
   const CancelToken& poll;
+  const std::vector<uint8_t>& even;  ///< per component, whether rows are counted
 
   LaidLines lines_along(const LineField& field, const Tell& tell) const {
     const StripePhase phase(surface, field, radius, distances, pool, part_of(tell, 0, kPhaseFound));
-    return level_lines(surface, phase, radius, spacing.step, variation, poll);
+    return level_lines(surface, phase, radius, spacing.step, variation, even, poll);
   }
 
   /// Turns the field on tubes where the lines of a whole number are off, and lays these anew.
@@ -252,7 +246,9 @@ LaidLines lines_of_phase(const Surface& surface, const RadiusField& radius, cons
                          const CancelToken& poll, StartField& field, const Tell& tell) {
   const std::vector<StripeDistances> distances =
       stripe_distances(surface, field, radius, spacing, boundary_distance, rest);
-  const Layer layer{surface, radius, distances, spacing, variation, pool, poll};
+  const std::vector<uint8_t> even =
+      radius.varies() ? std::vector<uint8_t>(distances.size(), 0) : with_even_lines(surface, field.lines);
+  const Layer layer{surface, radius, distances, spacing, variation, pool, poll, even};
   LaidLines lines = layer.lines_along(field.lines, part_of(tell, 0, field.turns ? kFirstLaid : 1));
   if (field.turns) layer.turn(field.lines, lines, part_of(tell, kFirstLaid, 1));
   size_t points = 0;
