@@ -74,7 +74,8 @@ TEST(EvenRows, LieInTheMiddlesOfEqualPartsOfTheWidth) {
   // Room for 8.4 rows, and there are eight.
   const double spacing = length / (kRows + 0.4);
   const EvenRows rows(pipe, along_axis(pipe, {0, 0, 1}, true), 0.5 * spacing, 0.5, 1);
-  EXPECT_NEAR(rows.spread(), (kRows + 0.4) / kRows, 1e-9);
+  EXPECT_NEAR(rows.spread().value_or(0), (kRows + 0.4) / kRows, 1e-9);
+  EXPECT_TRUE(rows.go_round());
   double least = 1;
   for (uint32_t f = 0; f < pipe.face_count(); ++f) least = std::min(least, position(pipe, make_point(f, 1, 0, 0)).z());
   for (uint32_t f = 0; f < pipe.face_count(); ++f) {
@@ -90,7 +91,9 @@ TEST(EvenRows, LieInTheMiddlesOfEqualPartsOfTheWidth) {
   // Rows along a pipe may lie anywhere round it.
   const EvenRows along(pipe, along_axis(pipe, {0, 0, 1}), 0.5 * spacing, 0.5, 1);
   EXPECT_EQ(norm(along.towards_row(pipe, make_point(3, 1, 1, 1))), 0);
-  EXPECT_EQ(along.spread(), 1);
+  EXPECT_FALSE(along.spread());
+  const Surface sheet = make_surface(flat_grid(7));
+  EXPECT_FALSE(EvenRows(sheet, along_axis(sheet, {1, 1, 0}), 0.5 * spacing, 0.5, 1).go_round());
 }
 
 }  // namespace

@@ -111,10 +111,11 @@ inline constexpr double kTurnEnds = 2;                      // r; 0 to kRowBegin
 inline constexpr double kRowBegins = 8;                     // r; > 0; "Straight rows"
 inline constexpr double kSquareOfTurn = 0.18;               // squared sine; 0 to 1; geometry
 
-/// There they are also drawn to their places; and r is as many times as large as their distance asks for, since turns of
-/// rows that are too far apart grow in between.
+/// There they are also drawn to their places; and r is kRowsFill times as large as their distance asks for, since turns
+/// of rows that are too far apart grow in between, and kRowsRoundFill times where they end at tips of other rows.
 inline constexpr double kHoldOfRow = 100;                   // weight; >= 0; "Straight rows"
-inline constexpr double kRowsFill = 1.05;                   // times; >= 1; "Straight rows"
+inline constexpr double kRowsFill = 1.02;                   // times; >= 1; "Straight rows"
+inline constexpr double kRowsRoundFill = 1.05;              // times; >= kRowsFill; "Straight rows"
 
 // ---- Weights: the polish --------------------------------------------------------------------------------------------
 

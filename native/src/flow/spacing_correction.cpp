@@ -48,8 +48,9 @@ double next_correction(const IterationPlan& plan, const FlowState& before, const
   const bool takes_back = plan.correction == SpacingCorrection::kTakenBack;
   const bool counted = domain.even_rows && before.settings.full_start;
   const bool kept = plan.correction == SpacingCorrection::kKept || (takes_back && now == 1);
-  if (counted && domain.rows && !domain.whole_radius) {
-    return std::clamp(kRowsFill * domain.rows->spread(), 1 - kMostOfRows, 1 + kMostOfRows);
+  if (const auto spread = counted && domain.rows ? domain.rows->spread() : std::nullopt; spread && !domain.whole_radius) {
+    const double fill = domain.rows->go_round() ? kRowsRoundFill : kRowsFill;
+    return std::clamp(fill * *spread, 1 - kMostOfRows, 1 + kMostOfRows);
   }
   if (kept || domain.whole_radius || counted) return now;
   const double found = median_spacing(before.curve, radii, before.metric) / domain.rest * now;

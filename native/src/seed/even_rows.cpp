@@ -22,6 +22,13 @@ double nearest_count(double lines) {
   return std::max(std::ceil(lines * (1 - kRounding) - 0.5), 1.0);
 }
 
+/// How far across the lines the boundary leads in all: twice the width where every row ends there.
+double across_boundary(const Surface& surface, const std::vector<Vec2>& line) {
+  double sum = 0;
+  for (const HalfEdge e : surface.boundary()) sum += std::abs(cross(line[face_of(e)], surface.along(e)));
+  return sum;
+}
+
 }  // namespace
 
 double even_distance(double width, double margin, double apart) {
@@ -37,7 +44,9 @@ EvenRows::EvenRows(const Surface& surface, const LineField& field, double radius
     const bool has_places = across_.width[k] > 0 && apart > 0 && across_.gap[k] < kMostGap * apart;
     distance_.push_back(has_places ? 0.5 * apart : 0);
   }
-  if (distance_.size() == 1 && distance_[0] > 0) spread_ = 2 * distance_[0] / wanted;
+  if (distance_.size() != 1 || distance_[0] == 0) return;
+  spread_ = 2 * distance_[0] / wanted;
+  go_round_ = across_boundary(surface, across_.line) < across_.width[0];
 }
 
 Vec2 EvenRows::towards_row(const Surface& surface, const SurfacePoint& p) const {

@@ -3,6 +3,7 @@
 // Where the rows of a full start are to lie whose field has even lines: a whole number of them divides the width.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mesh/even_lines.h"
@@ -27,12 +28,18 @@ class EvenRows {
   /// row, and less farther away, down to none halfway between two. None where rows have no places, as along a pipe.
   Vec2 towards_row(const Surface& surface, const SurfacePoint& p) const;
 
-  /// How far apart rows are, over how far they are to be; 1 where they have no places, or there are several components.
-  double spread() const { return spread_; }
+  /// How far apart rows are, over how far they are to be; none where they have no places, or there are several
+  /// components.
+  std::optional<double> spread() const { return spread_; }
+
+  /// Whether rows end at tips of other rows, as those that go round a pipe, and not at the boundary.
+  bool go_round() const { return go_round_; }
 
  private:
   HeightsAcross across_;
-  double margin_, spread_ = 1;
+  double margin_;
+  std::optional<double> spread_;
+  bool go_round_ = false;
   std::vector<double> distance_;  // of rows, per component; 0: they have no places
 };
 
