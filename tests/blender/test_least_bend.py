@@ -13,7 +13,7 @@ SPACING = 0.15
 
 
 def sheet() -> bpy.types.Object:
-    return grid(10, 1.2)
+    return grid(12, 1.2)
 
 
 def least_radius(result: bpy.types.Object) -> float:
