@@ -123,6 +123,7 @@ void Flow::iterate(ThreadPool& pool, const Tell& tell) {
   record_.make_room();
   note(iteration.figures(), iteration.after(), pool);
   iteration.commit(state_, record_, total.lap());
+  present_radii_.clear();
 }
 
 /// The last thing in an iteration that may fail: what it throws, it throws before it has changed anything.
@@ -150,6 +151,7 @@ void Flow::go_on_from(FlowState next, Convergence convergence, double factor, co
 
   static_assert(std::is_nothrow_move_assignable_v<FlowState> && std::is_nothrow_move_assignable_v<Convergence>);
   state_ = std::move(next);
+  present_radii_.clear();
   convergence_ = std::move(convergence);
   approach_.rescale(factor);
   record_.seconds.move = seconds;
@@ -187,8 +189,8 @@ void Flow::update_radii(const CancelToken& cancel) {
 double Flow::length() const { return length_as_given(state_.domain, state_.curve); }
 
 Radii Flow::radii_of(uint32_t node) const {
-  if (state_.nodes.radii.empty()) return {0, 0};
-  Radii radii = state_.nodes.radii[node];
+  if (told_radii().empty()) return {0, 0};
+  Radii radii = told_radii()[node];
   if (at_scale()) {
     for (double& r : radii) r *= state_.domain.stretch_at(state_.curve.nodes[node]);
   }
@@ -196,7 +198,7 @@ Radii Flow::radii_of(uint32_t node) const {
 }
 
 NodeData<Radii> Flow::radii() const {
-  NodeData<Radii> radii = state_.nodes.radii;
+  NodeData<Radii> radii = told_radii();
   for (uint32_t i = 0; i < radii.size(); ++i) radii[i] = radii_of(i);
   return radii;
 }

@@ -66,7 +66,8 @@ class Flow {
   double length() const;
   /// Found when they are asked for first: a flow that is not looked at needs none. Any thread.
   const NormalField& normals() const { return *state_.domain.normals; }
-  /// Of a node at the last medial axis, on surface(): as many times the local r as it was measured. 0 before the first.
+  /// Of a node, on surface(), as many times the local r as it was measured: at the last medial axis, or of the curve as
+  /// it is once it was asked about. 0 before the first.
   Radii radii_of(uint32_t node) const;
   /// Those of all nodes; empty before the first medial axis.
   NodeData<Radii> radii() const;
@@ -118,8 +119,9 @@ class Flow {
   void note(IterationFigures figures, const CurveState& after, ThreadPool& pool);
   void measure_again(ThreadPool& pool);
   void go_on_from(FlowState next, Convergence convergence, double factor, const MoveSeconds& seconds, ThreadPool& pool);
-  /// Those of the last medial axis become radii(), once nothing can fail any more.
-  void keep_radii() noexcept { state_.nodes.radii.swap(work_.medial.radii); }
+  /// Those of the last medial axis become radii(), once nothing can fail any more. The flow goes on from its own.
+  void keep_radii() noexcept { present_radii_.swap(work_.medial.radii); }
+  const NodeData<Radii>& told_radii() const { return present_radii_.empty() ? state_.nodes.radii : present_radii_; }
   bool at_scale() const { return state_.domain.surface != state_.domain.given; }
 
   ThreadPool pool_;
@@ -127,6 +129,7 @@ class Flow {
   size_t drawn_;  // strands of the seed
   // What a run is about, and how far it has come.
   FlowState state_;
+  NodeData<Radii> present_radii_;  // of the curve as it is; empty until it is asked about
   Convergence convergence_;
   SpacingApproach approach_;
   RunRecord record_;
