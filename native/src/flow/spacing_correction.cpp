@@ -2,6 +2,7 @@
 #include "flow/spacing_correction.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "flow/constants.h"
@@ -31,6 +32,13 @@ double median_spacing(const Curve& curve, const NodeData<Radii>& radii, const Lo
   return *middle;
 }
 
+/// None where rows have no places.
+std::optional<double> correction_of_rows(const EvenRows& rows) {
+  if (!rows.spread()) return std::nullopt;
+  const double fill = rows.go_round() ? kRowsRoundFill : kRowsFill;
+  return std::clamp(fill * *rows.spread(), 1 - kMostOfRows, 1 + kMostOfRows);
+}
+
 /// What strands are to come to before their tips get round, as a share of what they are to come to in the end.
 double before_round_tips(const FlowState& state) {
   if (!state.rounds_tips()) return 1;
@@ -48,11 +56,9 @@ double next_correction(const IterationPlan& plan, const FlowState& before, const
   const bool takes_back = plan.correction == SpacingCorrection::kTakenBack;
   const bool counted = domain.even_rows && before.settings.full_start;
   const bool kept = plan.correction == SpacingCorrection::kKept || (takes_back && now == 1);
-  if (const auto spread = counted && domain.rows ? domain.rows->spread() : std::nullopt; spread && !domain.whole_radius) {
-    const double fill = domain.rows->go_round() ? kRowsRoundFill : kRowsFill;
-    return std::clamp(fill * *spread, 1 - kMostOfRows, 1 + kMostOfRows);
-  }
-  if (kept || domain.whole_radius || counted) return now;
+  if (domain.whole_radius) return now;
+  if (counted) return domain.rows ? correction_of_rows(*domain.rows).value_or(now) : now;
+  if (kept) return now;
   const double found = median_spacing(before.curve, radii, before.metric) / domain.rest * now;
   if (!(found > 0)) return now;
   const bool coarse = plan.segment_length > before.settings.segment_length;

@@ -170,6 +170,15 @@ void cut_at(uint32_t edge, std::vector<Streamline>& lines, LineNetwork& network)
   lines.push_back(std::move(rest));
 }
 
+/// Guides stay as they are, and nothing has found room yet.
+std::vector<StrandStart> before_any_is_laid(const Curve& first) {
+  std::vector<StrandStart> starts(first.strands.size(), StrandStart::kNoRoom);
+  for (size_t k = 0; k < starts.size(); ++k) {
+    if (first.strands[k].guide) starts[k] = StrandStart::kGuide;
+  }
+  return starts;
+}
+
 }  // namespace
 
 FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
@@ -212,10 +221,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
 
   passed(kTreeBegins);
   FullStart start;
-  start.strands.assign(first.strands.size(), StrandStart::kNoRoom);
-  for (size_t k = 0; k < first.strands.size(); ++k) {
-    if (first.strands[k].guide) start.strands[k] = StrandStart::kGuide;
-  }
+  start.strands = before_any_is_laid(first);
   Regions regions(surface, first, radius);
   std::vector<uint8_t> stays(first.strands.size(), 0);
   for (;;) {
