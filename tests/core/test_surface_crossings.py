@@ -61,7 +61,7 @@ def crossing_pairs(ways: list[np.ndarray]) -> int:
     [
         (".csv", ("--chord-tolerance", "0.2")),
         (".csv", ("--chord-tolerance", "0.3")),
-        (".json", ("--poses", "--resample-step", "0.9")),
+        (".json", ("--poses", "--resample-step", "1.2")),
     ],
 )
 def test_on_a_sheet_as_a_search_of_every_pair_finds_them(tmp_path, capsys, kind, extra) -> None:
