@@ -9,8 +9,8 @@ from ..scene.linked_settings import owner_of, settings_of
 from ..scene.settings import surface_of
 from .declared import row
 from .registered import registration
-from .setting_properties import EnumProperty, PointerProperty, StringProperty
 from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns
+from .unanimated import EnumProperty, PointerProperty, StringProperty
 
 
 def _is_curve(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:

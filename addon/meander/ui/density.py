@@ -12,14 +12,14 @@ from ..scene.linked_settings import owner_of, settings_of
 from ..scene.settings import surface_of
 from .declared import row
 from .registered import registration
-from .setting_properties import (
+from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns, notice
+from .unanimated import (
     BoolProperty,
     EnumProperty,
     FloatProperty,
     PointerProperty,
     StringProperty,
 )
-from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns, notice
 
 
 def _shape_chosen(settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:

@@ -20,8 +20,8 @@ from .on_result import OnOwnResult, result_of
 from .reasons import Reasons
 from .refusing import refusing
 from .registered import registration
-from .setting_properties import BoolProperty, EnumProperty
 from .sidebar import LOOK, LOOK_ORDER, ORDER, SubPanel, columns
+from .unanimated import BoolProperty, EnumProperty
 
 # The cross sections that the look of a curve has, by the numbers that its modifier keeps.
 PROFILES = (

@@ -16,8 +16,8 @@ from .on_result import OnOwnResult, result_of
 from .reasons import Reasoned, Reasons, not_in_object_mode
 from .refusing import refusing
 from .registered import registration
-from .setting_properties import BoolProperty, PointerProperty
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns, notice
+from .unanimated import BoolProperty, PointerProperty
 
 
 def _begin_again(settings: bpy.types.PropertyGroup, context: bpy.types.Context) -> None:

@@ -19,8 +19,8 @@ from .on_result import OnResult, result_of
 from .reasons import Reasons
 from .refusing import refusing, sentence_of
 from .registered import registration
-from .setting_properties import EnumProperty
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
+from .unanimated import EnumProperty
 
 
 class PointSettings:

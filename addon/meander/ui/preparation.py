@@ -17,7 +17,6 @@ from .declared import row, switch
 from .reasons import Reasoned, Reasons
 from .refusing import refusing
 from .registered import registration
-from .setting_properties import EnumProperty, StringProperty
 from .sidebar import (
     ADVANCED,
     ADVANCED_ORDER,
@@ -27,6 +26,7 @@ from .sidebar import (
     columns,
     notice,
 )
+from .unanimated import EnumProperty, StringProperty
 
 
 class PreparationSettings:

@@ -25,7 +25,8 @@ from .motion import FollowSettings
 from .points import PointSettings
 from .preparation import MeanderProblem, PreparationSettings
 from .registered import registration
-from .setting_properties import (
+from .strands import StrandSettings
+from .unanimated import (
     BoolProperty,
     CollectionProperty,
     FloatProperty,
@@ -34,7 +35,6 @@ from .setting_properties import (
     PointerProperty,
     StringProperty,
 )
-from .strands import StrandSettings
 
 
 # A class either takes its annotations from the table or writes its own: from Python 3.14 on it

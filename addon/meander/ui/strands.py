@@ -15,8 +15,8 @@ from .seeds import (
     MEANDER_OT_seed_from_edges,
     MEANDER_OT_stroke_from_vertices,
 )
-from .setting_properties import BoolProperty, PointerProperty
 from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns
+from .unanimated import BoolProperty, PointerProperty
 
 
 def _is_another(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
