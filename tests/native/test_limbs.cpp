@@ -47,6 +47,17 @@ TEST(Limbs, LieAlongATubeThatIsThin) {
   }
 }
 
+/// A ball of few faces, with one corner three times as far out: thin all round near its point.
+Mesh horn() {
+  Mesh mesh = sphere(2);
+  size_t top = 0;
+  for (size_t k = 0; k < mesh.vertices.size(); k += 3) {
+    if (mesh.vertices[k + 2] > mesh.vertices[top + 2]) top = k;
+  }
+  for (size_t k = 0; k < 3; ++k) mesh.vertices[top + k] *= 3;
+  return mesh;
+}
+
 TEST(Limbs, AreNotWhereNothingIsThinAllRound) {
   const auto none = [](const char* name, const Mesh& mesh, double r) {
     SCOPED_TRACE(name);
@@ -60,6 +71,7 @@ TEST(Limbs, AreNotWhereNothingIsThinAllRound) {
   none("leaf", leaf(1, 0.02, 0.3, 16), 0.04);
   none("cloth", folded_cloth(1, 1, 0.02, 4, 12), 0.05);
   none("tube", cylinder(16, 40, 20), 1.9);  // 3.3 r round
+  none("horn", horn(), 0.35);
 }
 
 /// A ball drawn out to a needle of this many radii: as long as that, and thin all round.

@@ -2,6 +2,7 @@
 #include "seed/limbs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -67,8 +68,10 @@ Vec2 shortest_round(const Surface& s, const SurfacePoint& from, double r, double
   return best;
 }
 
-/// Whether a limb goes on so far both ways along it: tips do not, nor short horns.
-bool goes_on(const Surface& s, const SurfacePoint& from, Vec2 round, double far) {
+/// Whether a limb goes on by `most` r both ways along it, and a walk comes back round it there too: tips do not, nor
+/// short horns.
+bool goes_on(const Surface& s, const SurfacePoint& from, Vec2 round, double r, double most) {
+  const double far = most * r;
   const Vec3 start = position(s, from);
   for (const Vec2 along : {Vec2{0, far} * unit(round), Vec2{0, -far} * unit(round)}) {
     Chart chart = Chart::at(from, start);
@@ -76,6 +79,7 @@ bool goes_on(const Surface& s, const SurfacePoint& from, Vec2 round, double far)
     const bool as_before = s.face_normal(chart.point.face).dot(s.face_normal(from.face)) > 0;
     const double ahead = (chart.position - start).dot(s.to_space(from.face, unit(along)));
     if (chart.at_boundary || !as_before || !(ahead > kStraightOn * norm(along))) return false;
+    if (!std::isfinite(norm(shortest_round(s, chart.point, r, most)))) return false;
   }
   return true;
 }
@@ -100,7 +104,7 @@ std::vector<Vec2> bending_of_limbs(const Surface& surface, const SurfacePatches&
       const double r = radius.at(surface, from);
       const Vec2 round = shortest_round(surface, from, r, most);
       const double bent = square_of_bending(norm(round)) - square_of_bending(most * r);
-      if (!(bent > 0) || !goes_on(surface, from, round, most * r)) continue;
+      if (!(bent > 0) || !goes_on(surface, from, round, r, most)) continue;
       along[p] = surface.to_space(face[p], bent * unit(Vec2{0, 1} * round));
     }
   });

@@ -21,7 +21,8 @@ namespace meander {
 ///
 /// A straight walk that comes back to where it began, as it left, has gone round a limb: what it misses the place by
 /// says how the limb lies. It has faced away meanwhile, and arrives in the direction in which it left: the rims of a
-/// thin sheet, creases and corners send none back so. And a limb goes on by `most` to both sides: tips do not.
+/// thin sheet, creases and corners send none back so. And a limb goes on by `most` to both sides, where
+/// a walk comes back round it too: tips do not, nor horns.
 std::vector<Vec2> bending_of_limbs(const Surface& surface, const SurfacePatches& patches, const RadiusField& radius,
                                    double most, ThreadPool& pool);
 
