@@ -4,10 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
 
+#include "api_flows.h"
+#include "flow/flow.h"
 #include "meshes.h"
 #include "mesh/even_lines.h"
 #include "seed/even_rows.h"
+#include "test_seeds.h"
 
 namespace meander::test::even_lines_tests {
 namespace {
@@ -94,6 +100,24 @@ TEST(EvenRows, LieInTheMiddlesOfEqualPartsOfTheWidth) {
   EXPECT_FALSE(along.spread());
   const Surface sheet = make_surface(flat_grid(7));
   EXPECT_FALSE(EvenRows(sheet, along_axis(sheet, {1, 1, 0}), 0.5 * spacing, 0.5, 1).go_round());
+}
+
+/// Strands along a field are to be nearer in the r that they follow, which changes once there is one.
+TEST(EvenRows, OfAFlowAreThoseOfTheRadiusThatItHasAlongAField) {
+  const auto pipe = std::make_shared<const Surface>(tube(0));
+  meander_flow_options options = options_of(0.2);
+  options.start = MEANDER_START_FULL;
+  options.alignment_weight = 2;
+  options.boundary_distance = 0.9;
+  Flow flow(pipe, nullptr, {}, checked_settings(options, *pipe));
+  flow.set_field(along_axis(*pipe, {0, 0, 1}, true));
+  const auto [has, anew] = flow.ask([](const Flow::Present& present) {
+    const Domain& d = present.state.domain;
+    const EvenRows rows(*d.surface, d.directions, d.wanted_radius.most(), 0.9, d.rest);
+    return std::pair(d.rows ? d.rows->spread() : std::nullopt, rows.spread());
+  });
+  ASSERT_TRUE(anew);
+  EXPECT_EQ(has, anew);
 }
 
 }  // namespace

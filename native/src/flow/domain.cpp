@@ -105,13 +105,14 @@ Domain Domain::moved_to(std::shared_ptr<const Surface> where, double old_radius,
 void Domain::follow(LineField field, const FlowSettings& settings, ThreadPool& pool) {
   if (surface != given) field.ride(*given, *surface);
   directions = std::move(field);
-  look_at_lines(settings);
   const double before = std::exchange(rest, settings.rest(!directions.empty()));
-  if (rest == before) return;
-  for (RadiusField* r : {&wanted_radius, &radius}) r->rescale(rest, before);
-  if (whole_radius) whole_radius->rescale(rest, before);
-  expected_length = filling_length(*surface, wanted_radius);
-  patches = patches_for(*surface, wanted_radius, settings, pool);
+  if (rest != before) {
+    for (RadiusField* r : {&wanted_radius, &radius}) r->rescale(rest, before);
+    if (whole_radius) whole_radius->rescale(rest, before);
+    expected_length = filling_length(*surface, wanted_radius);
+    patches = patches_for(*surface, wanted_radius, settings, pool);
+  }
+  look_at_lines(settings);
 }
 
 Domain Domain::revised(const FlowSettings& old, const FlowSettings& settings, const VertexData<double>* density,
