@@ -3,18 +3,15 @@
 
 from __future__ import annotations
 
-import json
 import math
-import subprocess
 import sys
 from dataclasses import replace
-from pathlib import Path
 
 import flows
 import geometry
 import numpy as np
+import peaks
 import pytest
-from conftest import PACKAGE
 from meander import core
 from meander.model.estimate import (
     Estimate,
@@ -277,45 +274,26 @@ def test_a_spacing_that_is_none_is_refused(spacing):
         core.estimate_cost(core.Extent(1, 1.0, 1.0, 1.0), options_of("even", spacing))
 
 
-# Fills a sphere and prints the memory that this took, and what it was expected to take. The library
-# is loaded and the arrays are there before; writing 5 there makes the kernel forget older peaks.
-MEASURE = """
-import importlib.util, json, sys
-package, tests, preset, spacing, subdivisions = sys.argv[1:]
-place = importlib.util.spec_from_file_location("meander", package + "/__init__.py",
-                                               submodule_search_locations=[package])
-sys.modules["meander"] = importlib.util.module_from_spec(place)
-place.loader.exec_module(sys.modules["meander"])
-sys.path.append(tests)
-import geometry
-from meander import core
-def kilobytes(name):
-    with open("/proc/self/status") as file:
-        return next(int(line.split()[1]) for line in file if line.startswith(name))
+# A sphere, and what filling it is expected to take.
+PREPARE = """
+preset, spacing, subdivisions = given
 vertices, faces = geometry.icosphere(int(subdivisions))
 options = core.default_options(preset)
 options.radius = float(spacing) / 2
 options.iteration_limit = 40
-with open("/proc/self/clear_refs", "w") as file:
-    file.write("5")
-before = kilobytes("VmRSS")
+"""
+FILL = """
 surface = core.Surface(vertices, faces)
-cost = core.estimate_cost(surface.extent(), options)
+told = core.estimate_cost(surface.extent(), options).memory
 flow = core.Flow(surface, options)
 flow.run()
-print(json.dumps([1024 * (kilobytes("VmHWM") - before), cost.memory]))
 """
 
 
-@pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="Linux tells of peaks")
+@peaks.linux_tells
 @pytest.mark.parametrize(
     ("preset", "spacing", "subdivisions"), [("paper", 0.06, 4), ("paper", 0.4, 6), ("even", 0.4, 6)]
 )
 def test_the_memory_that_a_run_takes(preset, spacing, subdivisions):
-    given = [PACKAGE, Path(geometry.__file__).parent, preset, spacing, subdivisions]
-    done = subprocess.run(
-        [sys.executable, "-c", MEASURE, *map(str, given)], capture_output=True, text=True,
-        timeout=120, check=True,
-    )  # fmt: skip
-    taken, expected = json.loads(done.stdout)
+    taken, expected = peaks.peak_of(PREPARE, FILL, preset, spacing, subdivisions)
     assert expected == pytest.approx(taken, rel=0.3)

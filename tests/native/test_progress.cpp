@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "api_flows.h"
@@ -118,12 +119,17 @@ TEST(Progress, OfARunFollowsItsWork) {
   }
 }
 
-/// Of a long run laying takes a third.
-TEST(Progress, IsToldWhileAFirstCurveIsLaid) {
-  const auto surface = std::make_shared<const Surface>(make_surface(sphere(3)));
+Flow flow_that_begins_full() {
+  auto surface = std::make_shared<const Surface>(make_surface(sphere(3)));
   meander_flow_options options = options_of(0.1);
   options.start = MEANDER_START_FULL;
-  Flow flow(surface, nullptr, {}, checked_settings(options, *surface));
+  const FlowSettings settings = checked_settings(options, *surface);
+  return Flow(std::move(surface), nullptr, {}, settings);
+}
+
+/// Of a long run laying takes a third.
+TEST(Progress, IsToldWhileAFirstCurveIsLaid) {
+  Flow flow = flow_that_begins_full();
   std::vector<double> told{0};
   ASSERT_TRUE(flow.step(kNeverCancelled, [&](double progress) { told.push_back(progress); }));
   ASSERT_GT(told.size(), 5u);
@@ -134,10 +140,7 @@ TEST(Progress, IsToldWhileAFirstCurveIsLaid) {
 
 /// No step of laying stands still for long, nor do the iterations after it in which the curve grows no more.
 TEST(Progress, MovesAllTheWayOfACurveThatBeginsFull) {
-  const auto surface = std::make_shared<const Surface>(make_surface(sphere(3)));
-  meander_flow_options options = options_of(0.1);
-  options.start = MEANDER_START_FULL;
-  Flow flow(surface, nullptr, {}, checked_settings(options, *surface));
+  Flow flow = flow_that_begins_full();
   std::vector<double> told{0};
   const auto note = [&](double progress) { told.push_back(progress); };
   ASSERT_TRUE(flow.step(kNeverCancelled, note));
