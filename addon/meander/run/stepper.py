@@ -33,8 +33,8 @@ from ..model.whole import whole_of
 # A watched run keeps its curve whenever that has grown by this share of what it is going to be, as
 # long as those copies have no more points than this, which take 100 MB.
 GROWTH_STEP, GROWTH_POINTS = 1.0 / 16.0, 2_000_000
-# What is told of a curve of so many nodes takes a window so long, half a second and more, that it
-# is found piece by piece.
+# What is told of a curve of this many nodes is found piece by piece: all at once a window would
+# hang for half a second and more.
 MANY_NODES = 200_000
 
 
@@ -104,7 +104,7 @@ class Stepper:
         self._correction = None if problem.tones is None else Correction(problem.tones)
         self._before: _Line | None = None
         self.surface_figures: dict[str, Any] = {}  # of core.Surface.statistics(), once prepared
-        # What find_next() has found of the result; what it found last of the curve's size.
+        # What find_next() has found of the result; how many nodes the last picture had.
         self._found: dict[str, Any] = {}
         self._nodes = 0
         # Of the library, while the run was going.

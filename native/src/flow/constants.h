@@ -112,10 +112,12 @@ inline constexpr double kRowBegins = 8;                     // r; > 0; "Straight
 inline constexpr double kSquareOfTurn = 0.18;               // squared sine; 0 to 1; geometry
 
 /// There they are also drawn to their places; and r is kRowsFill times as large as their distance asks for, since turns
-/// of rows that are too far apart grow in between, and kRowsRoundFill times where they end at tips of other rows.
+/// of rows that are too far apart grow in between, and kRowsRoundFill times where they end at tips of other rows. Few
+/// rows may be far from the spacing: r follows by no more than kMostOfRows.
 inline constexpr double kHoldOfRow = 100;                   // weight; >= 0; "Straight rows"
 inline constexpr double kRowsFill = 1.02;                   // times; >= 1; "Straight rows"
 inline constexpr double kRowsRoundFill = 1.05;              // times; >= kRowsFill; "Straight rows"
+inline constexpr double kMostOfRows = 0.15;                 // share of r; 0 to 1; free
 
 // ---- Weights: the polish --------------------------------------------------------------------------------------------
 

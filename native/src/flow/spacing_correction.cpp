@@ -13,9 +13,6 @@ namespace {
 /// A median of more nodes says no more.
 constexpr uint32_t kMostLookedAt = 1u << 16;
 
-/// Nor does r change by more than this where few rows are far from their distance. Not measured.
-constexpr double kMostOfRows = 0.15;
-
 /// The median of the medial radii on both sides of the nodes that are not of guides, in the local r; 0 where there are
 /// none. Of very many nodes evenly many are looked at.
 double median_spacing(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric) {

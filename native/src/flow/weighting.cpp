@@ -77,11 +77,9 @@ void hold_in_place(const Weighting& w, const NodeData<double>& way) {
   if (way.empty() || !domain.rows || domain.whole_radius) return;
   w.weights.hold.resize(w.size());
   w.weights.to_place.resize(w.size());
-  w.pool.for_blocks(w.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
-    for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
-      w.weights.hold[i] = kHoldOfRow * (1 / scale_of_deviation(way[i]) - 1) / (1 / kStraightRow - 1);
-      w.weights.to_place[i] = domain.rows->towards_row(*domain.surface, w.state.curve.nodes[i]);
-    }
+  w.pool.for_each(w.size(), kNodeGrain, [&](uint32_t i) {
+    w.weights.hold[i] = kHoldOfRow * (1 / scale_of_deviation(way[i]) - 1) / (1 / kStraightRow - 1);
+    w.weights.to_place[i] = domain.rows->towards_row(*domain.surface, w.state.curve.nodes[i]);
   });
 }
 

@@ -23,10 +23,10 @@ namespace meander {
 /// `turn`            a number of length 1, with half of whose angle the lines are turned at first: without a boundary
 ///                   that holds them they stay turned, and are as smooth
 /// `along_boundary`  the boundary holds lines along itself, as much as another face would beyond it
-/// `held`            per face, or nothing: the square of a line that holds its own, times how much it does, where 1 is
+/// `holding`         per face, or nothing: the square of a line that holds its own, times how much it does, where 1 is
 ///                   as much as what is across an edge as long as the way across it
 LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, ThreadPool& pool,
-                        std::span<const Vec2> held = {});
+                        std::span<const Vec2> holding = {});
 
 /// Along the boundary in the faces beside it, and the mean of those in the faces between, as far as kSweeps faces away:
 /// for strips of a few faces across. No direction elsewhere. Every face has one line: between two legs of a zigzag that

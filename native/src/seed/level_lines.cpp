@@ -126,8 +126,7 @@ class LineFollower {
 
 std::vector<std::vector<SurfacePoint>> level_lines(const Surface& surface, const StripePhase& phase,
                                                    const RadiusField& radius, double step, uint32_t variation,
-                                                   const std::vector<uint8_t>& in_line,
-                                                   CancelToken poll) {
+                                                   const std::vector<uint8_t>& in_line, CancelToken poll) {
   return LineFollower(surface, phase, radius, poll).all(step, share_of_variation(variation), in_line);
 }
 

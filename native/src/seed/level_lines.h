@@ -21,7 +21,6 @@ namespace meander {
 ///              then; on two sides of the pipe they push the rows between them askew
 std::vector<std::vector<SurfacePoint>> level_lines(const Surface& surface, const StripePhase& phase,
                                                    const RadiusField& radius, double step, uint32_t variation,
-                                                   const std::vector<uint8_t>& in_line,
-                                                   CancelToken poll);
+                                                   const std::vector<uint8_t>& in_line, CancelToken poll);
 
 }  // namespace meander
