@@ -5,8 +5,9 @@
 #
 # Builds into build/ the given targets, or else everything: the library, the native tests, the
 # benchmark, and the add-on's zip build/meander-VERSION.zip. The packages of install_dependencies.sh
-# must be installed. Options of the build are remembered in build/: docs/building.md. Where MEANDER_UNITY or
-# MEANDER_JOINED_TESTS is set to ON or OFF, it is that option.
+# must be installed. Options of the build are remembered in build/: docs/building.md. Where nothing is built yet, each
+# folder of the sources is compiled as one file, and native tests several at a time: the same bytes, sooner. Where
+# MEANDER_UNITY or MEANDER_JOINED_TESTS is set to ON or OFF, it is that option.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -14,6 +15,7 @@ targets=("$@")
 [ ${#targets[@]} -gt 0 ] || targets=(all addon)
 
 mkdir -p build
+[ -f build/CMakeCache.txt ] || : "${MEANDER_UNITY:=ON}" "${MEANDER_JOINED_TESTS:=ON}"
 # Debian's Python by its full path: another Python may come first on the PATH.
 if ! cmake -S . -B build -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
   ${MEANDER_UNITY:+"-DMEANDER_UNITY=$MEANDER_UNITY"} \

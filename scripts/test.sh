@@ -43,9 +43,6 @@ bash scripts/install_dependencies.sh --build
 } >"$logs/install.log" 2>&1 &
 installing=$!
 trap 'wait $installing' EXIT # a package manager is not left behind halfway
-# Where nothing is built yet, each folder of the sources is compiled as one file, and native tests several at a time: the
-# same bytes, sooner. A build that is there stays as it is.
-[ -f build/CMakeCache.txt ] || export MEANDER_UNITY=ON MEANDER_JOINED_TESTS=ON
 # Without these two there is nothing to test; everything else is built below, as a test of its own.
 bash scripts/build.sh stage addon
 zip=$(ls -t build/meander-*.zip | head -n 1)

@@ -18,6 +18,10 @@ INCLUDE = re.compile(rf'^\s*#\s*include\s+(?:"([^"]+)"|<((?:{OURS})/[^>]+)>)', r
 # Not a room: the public header and those that the build makes belong to api alone.
 OF_API = {"meander/meander.h": "api", "version.h": "api", "structs.inc": "api"}
 
+# A type or an alias that a file declares, and one that a header defines for all.
+DECLARED = re.compile(r"\b(?:class|struct|union|enum|using|typename) (?:class )?(\w+)")
+DEFINED = re.compile(r"^(?:struct|class|enum class|using) (\w+)\b(?=[^;]*\{| = )", re.MULTILINE)
+
 # Who is next to whom is known by three meshes: the surface (with what the check hands to it), a
 # soup with its table of edges, and the refined surface, which OpenMesh rewires. Here is what each
 # of them is told by, and where that may stand.
@@ -97,6 +101,42 @@ def doubled_constants(sources: Path) -> list[str]:
     return [f"{room}: {name} in {found}" for (room, name), found in files.items() if found[1:]]
 
 
+def names_without_include(sources: Path) -> list[str]:
+    """One line for every type that a file names and neither it nor what it includes declares.
+
+    Where a room is compiled as one, the files before it may have included what a file forgets.
+    """
+    texts = {
+        p.relative_to(sources).as_posix(): re.sub(
+            r'//.*|"(?:\\.|[^"\\\n])*"', "", p.read_text(encoding="utf-8")
+        )
+        for p in sorted(p for p in sources.rglob("*") if p.suffix in {".h", ".cpp"})
+    }
+    includes = {name: set(included_by(sources / name)) for name in texts}
+    declared = {name: set(DECLARED.findall(text)) for name, text in texts.items()}
+    homes = {
+        word: name
+        for name, text in texts.items()
+        if name.endswith(".h")
+        for word in DEFINED.findall(text)
+    }
+    wrong = []
+    for name, text in texts.items():
+        seen, ahead = {name}, [name]
+        while ahead:
+            new = includes.get(ahead.pop(), set()) - seen
+            seen |= new
+            ahead += new
+        known = set().union(*(declared.get(other, set()) for other in seen))
+        # A word after "::" or "." is looked up within something else.
+        words = set(re.findall(r"(?<![\w:.])\w+", text))
+        wrong += [
+            f"{name} names {word} without {homes[word]}"
+            for word in sorted(words & homes.keys() - known)
+        ]
+    return wrong
+
+
 def other_adjacency(sources: Path) -> list[str]:
     """One line for everything that knows neighbours by itself."""
     return [
@@ -134,6 +174,20 @@ def test_neighbours_are_known_by_three_meshes_and_no_fourth():
 
 def test_every_room_includes_only_what_stands_before_it():
     assert wrong_includes(SOURCES) == []
+
+
+def test_every_file_includes_what_it_names(tmp_path):
+    assert names_without_include(SOURCES) == []
+    for name, text in (
+        ("base/point.h", "struct Point {\n  double x;\n};\n"),
+        ("mesh/face.h", '#include "base/point.h"\nusing Corners = Point*;\nclass Edge;\n'),
+        ("mesh/area.cpp", '#include "mesh/face.h"\nPoint a;\nCorners b;\nEdge* c;\n'),
+        ("mesh/edge.h", "class Edge {\n  int corner;\n};\n"),
+        ("mesh/edges.cpp", "class Point;\nPoint* a;  // Corners\nEdge* b;\nother::Corners c;\n"),
+    ):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    assert names_without_include(tmp_path) == ["mesh/edges.cpp names Edge without mesh/edge.h"]
 
 
 def test_eigen_has_its_packets_from_one_header(tmp_path):

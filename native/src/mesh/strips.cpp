@@ -8,6 +8,7 @@
 #include "base/front_search.h"
 #include "base/segment_distance.h"
 #include "base/variation.h"
+#include "mesh/surface_point.h"
 
 namespace meander {
 namespace {

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "curve/curve.h"
 #include "geodesic/geodesic_trace.h"
 #include "mesh/line_field.h"
 
