@@ -50,7 +50,7 @@ TARGETS = {
     "flow/weighting.cpp": "",
     "curve/retraction.cpp": "",
     "curve/refinement.cpp": "",
-    "geodesic/surface_patches.cpp": "Comparison",
+    "geodesic/patch_comparison.cpp": "Comparison",
     "mesh/mesh_check.cpp": "",
 }
 

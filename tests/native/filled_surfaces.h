@@ -13,6 +13,7 @@
 #include "api/flow_options.h"
 #include "curves.h"
 #include "flow/flow.h"
+#include "geodesic/patch_comparison.h"
 #include "geodesic_distance.h"
 #include "medial/geodesic_medial_axis.h"
 #include "thin_surfaces.h"
@@ -70,7 +71,7 @@ struct Filling {
   double r = settings.radius;
   ThreadPool pool{1};
   BoundaryObstacle boundary{surface, 0.5 * r};
-  SurfacePatches patches{surface, RadiusField(r), settings.max_radius / r, pool};
+  SurfacePatches patches = compared_patches(surface, RadiusField(r), settings.max_radius / r, pool);
   LocalMetric metric;
   Frames frames;
   NodeData<Reach> reach;

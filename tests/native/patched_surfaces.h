@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "geodesic/surface_patches.h"
+#include "geodesic/patch_comparison.h"
 #include "thin_surfaces.h"
 
 namespace meander::test {
@@ -33,7 +33,7 @@ struct Cut {
 
   SurfacePatches cut(unsigned threads) const {
     ThreadPool pool(threads);
-    return SurfacePatches(surface, radius, kClamp, pool);
+    return compared_patches(surface, radius, kClamp, pool);
   }
   uint32_t at(const SurfacePoint& p) const { return patches.patch_of(surface, p); }
   /// In the caller's coordinates.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geodesic/geodesic_trace.h"
+#include "geodesic/patch_comparison.h"
 #include "outputs/emptiness.h"
 #include "curves.h"
 
@@ -39,7 +40,7 @@ SurfacePoint walked(const Surface& surface, const SurfacePoint& start, Vec2 disp
 /// Climbs from random places, with steps of many lengths in all directions.
 void expect_same_as_single_points(const Scene& scene, bool along_surface) {
   ThreadPool pool(1);
-  const SurfacePatches patches(scene.surface, scene.radius, 3, pool);
+  const SurfacePatches patches = compared_patches(scene.surface, scene.radius, 3, pool);
   const Emptiness emptiness(scene.surface, scene.curve, scene.nodes, scene.radius, along_surface ? &patches : nullptr);
   Rng rng(23);
   int found = 0, surely = 0;

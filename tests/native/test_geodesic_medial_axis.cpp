@@ -40,7 +40,7 @@ struct Scene {
   Surface surface;
   double r = 1 / surface.scale();
   ThreadPool pool{1};
-  SurfacePatches patches{surface, RadiusField(r), kClamp, pool};
+  SurfacePatches patches = compared_patches(surface, RadiusField(r), kClamp, pool);
   BoundaryObstacle boundary;
 };
 

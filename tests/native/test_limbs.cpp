@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "curves.h"
+#include "geodesic/patch_comparison.h"
 #include "seed/full_start.h"
 #include "seed/limbs.h"
 #include "test_seeds.h"
@@ -22,7 +23,7 @@ constexpr double kMost = 3;
 
 std::vector<Vec2> limbs_of(const Surface& surface, double r) {
   ThreadPool pool(1);
-  return bending_of_limbs(surface, SurfacePatches(surface, RadiusField(r), 3, pool), RadiusField(r), kMost, pool);
+  return bending_of_limbs(surface, compared_patches(surface, RadiusField(r), 3, pool), RadiusField(r), kMost, pool);
 }
 
 TEST(Limbs, LieAlongATubeThatIsThin) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "geodesic/patch_comparison.h"
 #include "seed/line_network.h"
 #include "meshes.h"
 
@@ -21,7 +22,7 @@ TEST(LineNetwork, FindsWhatIsNearWhereSpacingsDiffer) {
   }
   const RadiusField radius(0.1, density);
   ThreadPool pool(1);
-  const SurfacePatches patches(surface, radius, 3, pool);
+  const SurfacePatches patches = compared_patches(surface, radius, 3, pool);
   LineNetwork network(surface, patches, radius);
   Rng rng(7);
   const auto random_node = [&] {

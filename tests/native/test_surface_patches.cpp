@@ -477,7 +477,7 @@ double seconds_for_a_patch(double density) {
   const RadiusField radius(1 / surface.scale(), Cut::at_vertices(surface, density_at));
   ThreadPool pool(1);
   const std::clock_t begin = std::clock();
-  const SurfacePatches patches(surface, radius, kClamp, pool);
+  const SurfacePatches patches = compared_patches(surface, radius, kClamp, pool);
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / patches.count();
 }
 
@@ -513,7 +513,7 @@ TEST(SurfacePatches, FollowADensityOntoASurfaceThatMoves) {
     const auto moved = std::make_shared<const Surface>(surface->deformed(vertices, pool));
     const FlowSettings there = settings.rescaled(surface->scale() / moved->scale());
     const Domain next = domain.moved_to(moved, settings.radius, there, pool);
-    const SurfacePatches anew(*moved, RadiusField(there.radius, density), kClamp, pool);
+    const SurfacePatches anew = compared_patches(*moved, RadiusField(there.radius, density), kClamp, pool);
     EXPECT_NEAR(next.patches->count(), anew.count(), 0.01 * anew.count());  // rounding moves some to another voxel
   }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "api/flow_options.h"
+#include "api/guard.h"
 #include "api/seed.h"
 #include "api/structs.h"
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "api/caller_mesh.h"
+#include "api/guard.h"
 #include "api/results.h"
 #include "outputs/polylines.h"
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "api/guard.h"
 #include "api/results.h"
 
 using namespace meander;

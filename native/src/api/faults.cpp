@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "api/guard.h"
 #include "api/results.h"
 
 using namespace meander;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "api/caller_mesh.h"
+#include "api/guard.h"
 #include "api/offsets.h"
 #include "mesh/fields.h"
 

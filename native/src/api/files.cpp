@@ -3,6 +3,7 @@
 // What mesh files of text hold, rows of numbers as text, and the triangles of polygons.
 #include <algorithm>
 
+#include "api/guard.h"
 #include "api/results.h"
 #include "mesh/mesh_text.h"
 #include "mesh/polygon_triangles.h"

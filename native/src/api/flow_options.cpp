@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "api/guard.h"
 #include "api/structs.h"
 
 namespace meander {

@@ -4,6 +4,7 @@
 #include "outputs/gaps.h"
 
 #include "api/caller_mesh.h"
+#include "api/guard.h"
 #include "api/results.h"
 #include "outputs/polylines.h"
 

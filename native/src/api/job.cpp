@@ -3,6 +3,7 @@
 // Runs in the background, and previews of them.
 #include <cmath>
 
+#include "api/guard.h"
 #include "api/results.h"
 
 using namespace meander;

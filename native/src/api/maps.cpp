@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/guard.h"
 #include "api/structs.h"
 #include "base/thread_pool.h"
 #include "outputs/map_distances.h"

@@ -3,6 +3,7 @@
 // Outlines along the boundary.
 #include <cmath>
 
+#include "api/guard.h"
 #include "api/results.h"
 #include "seed/outline.h"
 

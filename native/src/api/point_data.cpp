@@ -3,6 +3,7 @@
 // Data of every point of the curve.
 #include "outputs/point_data.h"
 
+#include "api/guard.h"
 #include "api/results.h"
 #include "outputs/polylines.h"
 

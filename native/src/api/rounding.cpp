@@ -3,6 +3,7 @@
 // The curve as it is drawn: with round turns.
 #include "outputs/rounding.h"
 
+#include "api/guard.h"
 #include "api/results.h"
 #include "outputs/point_data.h"
 #include "outputs/polylines.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "api/guard.h"
 #include "api/structs.h"
 
 using namespace meander;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "api/results.h"
+#include "api/structs.h"
 
 #define MEANDER_INIT(Struct) \
   meander_status Struct##_init(Struct* given, size_t struct_size) { return meander::init_struct(given, struct_size); }
@@ -19,5 +19,3 @@ size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity) 
   if (layout) std::copy_n(found->values.begin(), std::min(capacity, found->values.size()), layout);
   return found->values.size();
 }
-
-void meander_result_destroy(meander_result* result) { delete result; }

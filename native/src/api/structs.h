@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "api/guard.h"
+#include "api/requirements.h"
 
 namespace meander {
 

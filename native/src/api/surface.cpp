@@ -3,6 +3,7 @@
 // Surfaces: from a mesh, and their figures.
 #include <span>
 
+#include "api/guard.h"
 #include "api/preparation.h"
 #include "api/structs.h"
 

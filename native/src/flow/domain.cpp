@@ -5,6 +5,7 @@
 
 #include "flow/constants.h"
 #include "flow/room.h"
+#include "geodesic/patch_comparison.h"
 
 namespace meander {
 namespace {
@@ -17,7 +18,8 @@ std::shared_ptr<const BoundaryObstacle> sampled_boundary(const Surface& surface,
 std::shared_ptr<const SurfacePatches> patches_for(const Surface& surface, const RadiusField& radius,
                                                   const FlowSettings& settings, ThreadPool& pool) {
   if (settings.medial_axis != MedialAxis::kGeodesic) return nullptr;
-  return std::make_shared<const SurfacePatches>(surface, radius, settings.max_radius / settings.radius, pool);
+  return std::make_shared<const SurfacePatches>(
+      compared_patches(surface, radius, settings.max_radius / settings.radius, pool));
 }
 
 double filling_length(const Surface& surface, const RadiusField& radius) {

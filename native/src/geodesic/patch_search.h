@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How far patches are from others along the surface, by steps from the middle of one to that of another. Part of
-// surface_patches.cpp and patch_sheets.cpp.
+// patch_comparison.cpp and patch_sheets.cpp.
 #pragma once
 
 #include <algorithm>

@@ -11,19 +11,19 @@
 #include <vector>
 
 #include "base/point_tree.h"
-#include "base/thread_pool.h"
 #include "mesh/radius_field.h"
 
 namespace meander {
 
 /// A surface cut once into connected patches about r across, which are compared with one another instead of points:
 /// what is said of them depends on the shape and on r, and hardly on how fine the mesh is. Immutable; any thread may
-/// ask. It refers to nothing; the surface that it is asked about must be the one that was cut.
+/// ask. It refers to nothing; the surface that it is asked about must be the one that was cut. compared_patches()
+/// makes them.
 class SurfacePatches {
  public:
-  /// `radius`  r, which may vary: patches are then smaller where it is
-  /// `clamp`   the radius of the largest balls that will be asked for, in the local r
-  SurfacePatches(const Surface& surface, const RadiusField& radius, double clamp, ThreadPool& pool);
+  /// How a surface is cut (patch_cutter.h), and what patches know of one another (patch_comparison.h).
+  class Cutter;
+  class Comparison;
 
   uint32_t count() const { return static_cast<uint32_t>(traits_.size()); }
   uint32_t patch_of(const Surface& surface, const SurfacePoint& p) const {
@@ -142,8 +142,8 @@ class SurfacePatches {
     uint32_t first_remote = 0, last_remote = 0;
   };
   static uint32_t slot(uint32_t group) { return (group * 2654435769u) >> 16; }
-  class Cutter;
-  class Comparison;
+
+  SurfacePatches() = default;
 
   std::vector<uint32_t> patch_of_face_;  // or its grid, marked
   std::vector<Grid> grids_;
@@ -157,7 +157,7 @@ class SurfacePatches {
   std::vector<uint32_t> sheet_;
   std::vector<uint32_t> remote_;  // sheets, in rising order for each patch
   std::unique_ptr<const PointTree> creases_;  // null: there are none
-  double largest_radius_;                     // r, where it varies
+  double largest_radius_ = 0;                 // r, where it varies
   bool creased_anywhere_ = false, coarse_creases_anywhere_ = false;
 };
 

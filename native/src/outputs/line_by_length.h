@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "outputs/map_distances.h"
+#include "base/eigen.h"
+#include "outputs/map_of_cut.h"
 
 namespace meander {
 

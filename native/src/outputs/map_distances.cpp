@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/eigen.h"
+#include "mesh/surface.h"
 #include "outputs/line_by_length.h"
 
 namespace meander {

@@ -5,28 +5,11 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
-
-#include "base/eigen.h"
 
 #include "base/thread_pool.h"
-#include "mesh/surface.h"
+#include "outputs/map_of_cut.h"
 
 namespace meander {
-
-/// What is asked of a surface cut along the curve, as CutSurface has it.
-struct MapOfCut {
-  std::span<const double> positions, distances;  ///< per vertex
-  std::span<const uint32_t> faces, strands;      ///< three vertices, and the nearest strand, per face
-  std::span<const double> along, face_distances; ///< per corner
-  std::span<const uint32_t> line_vertices;
-  std::span<const double> arc_lengths;
-  std::span<const uint64_t> offsets;
-  std::span<const uint32_t> line_strands;
-  std::span<const uint8_t> closed;
-  std::span<const double> lengths;
-  double farthest = 0;  ///< distances end there
-};
 
 /// What is found of places; each list has one value a place, `away` three, or is empty where it is not wanted.
 struct PlacesOfMap {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "geodesic/patch_comparison.h"
 #include "seed/guide_samples.h"
 #include "seed/line_tree.h"
 #include "seed/phase_lines.h"
@@ -187,7 +188,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   const Tell passed = tell ? tell : [](double) {};
   std::unique_ptr<const SurfacePatches> own;
   if (!patches) {
-    own = std::make_unique<const SurfacePatches>(surface, radius, kClamp, pool);
+    own = std::make_unique<const SurfacePatches>(compared_patches(surface, radius, kClamp, pool));
     patches = own.get();
   }
   LineNetwork network(surface, *patches, radius);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "seed/line_network.h"
-#include "seed/streamlines.h"
+#include "seed/line_spacing.h"
 
 namespace meander {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geodesic/surface_patches.h"
+#include "geodesic/patch_comparison.h"
 
 #include <array>
 #include <bit>
@@ -36,6 +36,8 @@ constexpr double kCreaseReach = 2.2, kCurled = 0.3;
 /// Compares every patch with those that are near it.
 class SurfacePatches::Comparison {
  public:
+  static SurfacePatches patches_of(const Surface& surface, const RadiusField& radius, double clamp, ThreadPool& pool);
+
   Comparison(SurfacePatches& patches, const Cutter& cut, ThreadPool& pool)
       : patches_(patches),
         cut_(cut),
@@ -177,15 +179,23 @@ class SurfacePatches::Comparison {
   PatchSteps steps_;
 };
 
-SurfacePatches::SurfacePatches(const Surface& surface, const RadiusField& radius, double clamp, ThreadPool& pool) {
-  Cutter cutter(*this, surface, radius);
+SurfacePatches SurfacePatches::Comparison::patches_of(const Surface& surface, const RadiusField& radius, double clamp,
+                                                      ThreadPool& pool) {
+  SurfacePatches patches;
+  Cutter cutter(patches, surface, radius);
   cutter.cut(pool);
-  Comparison(*this, cutter, pool).compare(clamp, pool);
-  creased_anywhere_ = std::ranges::any_of(traits_, [](const Traits& t) { return t.creased != Crease::kFlat; });
-  coarse_creases_anywhere_ =
-      std::ranges::any_of(traits_, [](const Traits& t) { return t.creased != Crease::kFlat && t.coarse; });
-  largest_radius_ = *std::ranges::max_element(cutter.r);
-  if (!cutter.creases.empty()) creases_ = std::make_unique<const PointTree>(std::move(cutter.creases));
+  Comparison(patches, cutter, pool).compare(clamp, pool);
+  const auto creased = [](const Traits& t) { return t.creased != Crease::kFlat; };
+  patches.creased_anywhere_ = std::ranges::any_of(patches.traits_, creased);
+  patches.coarse_creases_anywhere_ =
+      std::ranges::any_of(patches.traits_, [&](const Traits& t) { return creased(t) && t.coarse; });
+  patches.largest_radius_ = *std::ranges::max_element(cutter.r);
+  if (!cutter.creases.empty()) patches.creases_ = std::make_unique<const PointTree>(std::move(cutter.creases));
+  return patches;
+}
+
+SurfacePatches compared_patches(const Surface& surface, const RadiusField& radius, double clamp, ThreadPool& pool) {
+  return SurfacePatches::Comparison::patches_of(surface, radius, clamp, pool);
 }
 
 }  // namespace meander
