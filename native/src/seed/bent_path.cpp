@@ -7,18 +7,10 @@
 #include <utility>
 
 #include "geodesic/chart.h"
+#include "seed/constants.h"
 
 namespace meander {
 namespace {
-
-/// Places on each side, that far apart in lengths of the straight line: the last is seen at an angle of 72 degrees.
-/// What is to be found may be narrow.
-constexpr int kSidesteps = 48;
-constexpr double kSidestep = 1.0 / 32;
-
-/// Legs are as good where they are farther from the boundary than this, in r. Each is measured at kPlacesOfLeg places.
-constexpr double kClearEnough = 0.5;
-constexpr int kPlacesOfLeg = 4;
 
 /// How far along the straight line the first place is: one in the middle, or two as far from both ends, as beside what
 /// is long.
@@ -45,15 +37,15 @@ class Legs {
     return chart.advance_to(s_, p, place, most) && add(chart.place);
   }
 
-  /// How near they come to a boundary or a guide, in r, up to kClearEnough.
+  /// How near they come to a boundary or a guide, in r, up to kLegsClear.
   double clearance(const LineNetwork& network) const {
-    double least = kClearEnough;
+    double least = kLegsClear;
     for (size_t leg = 0; leg < ways_.size(); ++leg) {
       for (int k = 0; k <= kPlacesOfLeg; ++k) {
         Path path;
         const Vec2 part = (static_cast<double>(k) / kPlacesOfLeg) * ways_[leg];
         const LineNetwork::Node node = network.make_node(trace_geodesic(s_, places_[leg], part, path).end, kNone, 0);
-        network.near(node, kClearEnough * node.radius, [](uint32_t line) { return line >= LineNetwork::kBoundary; },
+        network.near(node, kLegsClear * node.radius, [](uint32_t line) { return line >= LineNetwork::kBoundary; },
                      [&](uint32_t, double distance) {
                        least = std::min(least, distance / node.radius);
                        return false;
@@ -103,7 +95,7 @@ std::optional<Bend> bend_between(const LineNetwork& network, uint32_t from, uint
         const Trace there = trace_geodesic(s, b.point, Vec2{share, -kSidestep * step} * back, path);
         if (there.hit_boundary || !legs.add_to(there.end, position(s, there.end), 2 * length)) continue;
       }
-      if (!legs.add_to(b.point, b.place, 2 * length) || !(legs.length / kClearEnough < least)) continue;
+      if (!legs.add_to(b.point, b.place, 2 * length) || !(legs.length / kLegsClear < least)) continue;
       const double cost = legs.length / legs.clearance(network);
       if (!(cost < least)) continue;
       auto bend = legs.as_bend(b.point, shortener);

@@ -6,14 +6,11 @@
 #include <numbers>
 
 #include "base/elementary.h"
+#include "seed/constants.h"
 #include "seed/streamlines.h"
 
 namespace meander {
 namespace {
-
-/// Rows have places where the height of a face is that of the next one but for this, as a share of the distance of two
-/// lines.
-constexpr double kMostGap = 0.02;
 
 /// Of two whole numbers that are as near the lower one, as where an odd number of strands would fit: a closed line has
 /// an even one, and strands that are too far apart look better than ones that are too near.
@@ -41,7 +38,7 @@ EvenRows::EvenRows(const Surface& surface, const LineField& field, double radius
   const double wanted = LineSpacing().apart * rest * radius;
   for (size_t k = 0; k < across_.width.size(); ++k) {
     const double apart = even_distance(across_.width[k], margin_, wanted);
-    const bool has_places = across_.width[k] > 0 && apart > 0 && across_.gap[k] < kMostGap * apart;
+    const bool has_places = across_.width[k] > 0 && apart > 0 && across_.gap[k] < kMostStepOfRows * apart;
     distance_.push_back(has_places ? 0.5 * apart : 0);
   }
   if (distance_.size() != 1 || distance_[0] == 0) return;

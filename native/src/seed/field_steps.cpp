@@ -3,14 +3,9 @@
 
 #include <cmath>
 
+#include "seed/constants.h"
+
 namespace meander {
-namespace {
-
-/// A line ends where the field turns by more than 60 degrees from one node to the next (a cosine), or is this weak.
-constexpr double kMostTurnOfLine = 0.5, kLeastField = 1e-6;
-
-}  // namespace
-
 std::optional<Vec2> FieldSteps::from(const SurfacePoint& p) const {
   const Vec2 line = field_.at(p), direction = unit(line);
   if (!(norm(direction) > 0) || norm(line) < kLeastField) return std::nullopt;

@@ -19,12 +19,6 @@
 namespace meander {
 namespace {
 
-constexpr double kInset = 0.02;  // keeps the outline of a face off its edges
-constexpr uint32_t kRays = 24;
-
-/// Where the first face has no room for a circle, this many other places are tried, at least half of its radius apart.
-constexpr size_t kOtherPlaces = 64;
-
 void add_node(Curve& curve, const SurfacePoint& p) {
   curve.nodes.push_back(p);
   curve.fixed.push_back(0);
@@ -104,16 +98,16 @@ class Loops {
   /// strand itself or any other.
   bool add_circle(const SurfacePoint& middle, double wide) {
     if (is_all_within(wide, middle.face)) return false;
-    std::vector<Path> rays(kRays);
+    std::vector<Path> rays(kRaysOfRoom);
     Curve loop;
-    for (uint32_t k = 0; k < kRays; ++k) {
-      const double a = 2 * std::numbers::pi * k / kRays;
+    for (uint32_t k = 0; k < kRaysOfRoom; ++k) {
+      const double a = 2 * std::numbers::pi * k / kRaysOfRoom;
       const Trace ray = trace_geodesic(surface_, middle, wide * Vec2{elementary::cos(a), elementary::sin(a)}, rays[k]);
       if (ray.hit_boundary) return false;
       add_node(loop, ray.end);
     }
     close(loop);
-    for (uint32_t k = 0; k < kRays; ++k) {
+    for (uint32_t k = 0; k < kRaysOfRoom; ++k) {
       const uint32_t j = loop.next(k);
       Path& path = loop.paths[k];
       for (size_t c = rays[k].size(); c-- > 0;) path.push_back(reversed(rays[k][c]));
@@ -152,8 +146,8 @@ class Loops {
   void add_outline(uint32_t face) {
     Curve loop;
     for (uint32_t k = 0; k < 3; ++k) {
-      double w[3] = {kInset, kInset, kInset};
-      w[k] = 1 - 2 * kInset;
+      double w[3] = {kInsetOfFace, kInsetOfFace, kInsetOfFace};
+      w[k] = 1 - 2 * kInsetOfFace;
       add_node(loop, make_point(face, w[0], w[1], w[2]));
     }
     close(loop);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geodesic/patch_comparison.h"
+#include "seed/constants.h"
 #include "seed/guide_samples.h"
 #include "seed/line_tree.h"
 #include "seed/phase_lines.h"
@@ -17,34 +18,6 @@
 
 namespace meander {
 namespace {
-
-/// The curve runs so far from the tree, in r: a half would be its distance at the spacing, and from there the flow
-/// pushes strands apart within some ten iterations. Nearer to it fewer corners meet.
-constexpr double kOffset = 0.45;
-
-/// Lines of a field that was asked for go on until they are as near to others as this, in r: more of the curve then
-/// lies along it. Within 15 degrees of the x-axis, and near_target along the surface, with a weight of 2, on bunny and
-/// spot: .81 .94 and .71 .90 with 2.6 as for a smooth field, .82 .94 and .75 .90 with 1.9, .81 .95 and .74 .90 with
-/// 1.6.
-constexpr double kLeastAlong = 1.9;
-
-/// And all lines together are as long as this: what is held along a field grows little. Packing on bunny and spot is
-/// 1.02 then, and .97 with as many lines as of a smooth field.
-constexpr double kFullAlong = 1.06;
-
-/// Lines of a phase are as far apart as is wanted nearly everywhere, so fewer do: where r is the same everywhere, as
-/// long as this together, along a smooth field and one that was asked for. Those along a smooth one go on until they
-/// are as near as the third, in r. See "Lines of a phase".
-constexpr double kFullOfPhase = 1.02, kFullOfPhaseAlong = 1, kLeastOfPhase = 2.2;
-
-/// Walls are known by places this far apart, in r.
-constexpr double kWallStep = 0.5;
-
-/// How far patches look, in r; see SurfacePatches.
-constexpr double kClamp = 3;
-
-/// Which share of the time of a full start has passed when its steps begin: of 850,000 nodes, on two threads.
-constexpr double kFieldBegins = 0.01, kLinesBegin = 0.02, kFillingBegins = 0.74, kTreeBegins = 0.83, kWalkBegins = 0.89;
 
 /// Work between two asks, in pieces of some hundred nanoseconds.
 constexpr uint32_t kPieces = 1024;
@@ -188,7 +161,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   const Tell passed = tell ? tell : [](double) {};
   std::unique_ptr<const SurfacePatches> own;
   if (!patches) {
-    own = std::make_unique<const SurfacePatches>(compared_patches(surface, radius, kClamp, pool));
+    own = std::make_unique<const SurfacePatches>(compared_patches(surface, radius, kClampOfPatches, pool));
     patches = own.get();
   }
   LineNetwork network(surface, *patches, radius);
@@ -230,7 +203,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
     passed(kWalkBegins);
     const std::vector<LineTree> trees = trees_to_walk(first, drawn, stays, trunks, lines, tree, network, regions);
     for (const LineTree& laid : trees) start.strands[laid.strand] = StrandStart::kLaid;
-    TreeTour tour = walk_round(network, trees, kOffset, first, pool);
+    TreeTour tour = walk_round(network, trees, kTourOffset, first, pool);
     if (tour.is_laid()) {
       start.curve = std::move(tour.curve);
       passed(1);

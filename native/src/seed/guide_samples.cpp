@@ -7,13 +7,10 @@
 
 #include "base/point_tree.h"
 #include "curve/crossings.h"
+#include "seed/constants.h"
 
 namespace meander {
 namespace {
-
-constexpr double kSampling = 0.5;      // distance of samples, in r
-constexpr double kLeastRoom = 0.5;     // in r
-constexpr uint32_t kMostOnEdge = 64;   // samples on one edge, and rows of them in one face
 
 /// Points along all guides, no farther apart than samples.
 std::vector<Vec3> points_along(const Surface& surface, const std::vector<Piece>& guides, const RadiusField& radius) {
@@ -21,16 +18,16 @@ std::vector<Vec3> points_along(const Surface& surface, const std::vector<Piece>&
   for (const Piece& p : guides) {
     const SurfacePoint from{p.face, p.from}, to{p.face, p.to};
     const Vec3 a = position(surface, from), b = position(surface, to);
-    const double step = kSampling * radius.at(surface, from);
+    const double step = kSamplesApart * radius.at(surface, from);
     const double parts = std::max(1.0, std::min(1e6, std::ceil((b - a).norm() / step)));
     for (double k = 0; k <= parts; ++k) points.push_back(a + (b - a) * (k / parts));
   }
   return points;
 }
 
-/// How many samples, at most kSampling r apart, a line of this length needs.
+/// How many samples, at most kSamplesApart r apart, a line of this length needs.
 uint32_t count_for(double length, double r) {
-  return static_cast<uint32_t>(std::clamp(std::ceil(length / (kSampling * r)), 1.0, double{kMostOnEdge}));
+  return static_cast<uint32_t>(std::clamp(std::ceil(length / (kSamplesApart * r)), 1.0, double{kMostSamplesOnEdge}));
 }
 
 double longest_edge(const Surface& surface, uint32_t f) {
@@ -70,7 +67,7 @@ void GuideSamples::measure_room(const std::vector<Vec3>& guides, const RadiusFie
   }
 }
 
-bool GuideSamples::has_room(uint32_t i) const { return relative_room_[i] >= kLeastRoom; }
+bool GuideSamples::has_room(uint32_t i) const { return relative_room_[i] >= kRoomOfSample; }
 
 uint32_t GuideSamples::region_of(const SurfacePoint& p) {
   std::vector<InFace> near = of_face(p.face);

@@ -10,20 +10,10 @@
 
 #include "geodesic/chart.h"
 #include "mesh/vertex_data.h"
+#include "seed/constants.h"
 
 namespace meander {
 namespace {
-
-/// From a place walks lead in this many directions, half a turn in all. The one that leaves most nearly round a limb
-/// misses its beginning by .38 of its length at most, and what misses by more than half of it has not come back.
-constexpr uint32_t kWalks = 4;
-constexpr double kMostMissed = 0.5;
-
-/// Where they are is asked so often, in r: limbs that are less than two of these round are not seen.
-constexpr double kLimbStep = 0.2;
-
-/// A limb goes on where a walk along it comes so far, as a share of its length, straight ahead through space.
-constexpr double kStraightOn = 0.5;
 
 constexpr size_t kPatchesAtATime = 64;
 
@@ -60,8 +50,8 @@ Vec2 shortest_round(const Surface& s, const SurfacePoint& from, double r, double
   Vec2 best = kNoWay;
   const Vec2 turn = unit(Vec2{1, 1});  // a quarter of half a turn
   Vec2 direction{1, 0};
-  static_assert(kWalks == 4);
-  for (uint32_t k = 0; k < kWalks; ++k, direction = direction * turn) {
+  static_assert(kWalksRoundLimb == 4);
+  for (uint32_t k = 0; k < kWalksRoundLimb; ++k, direction = direction * turn) {
     const Vec2 found = round_by_walk(s, from, direction, kLimbStep * r, most * r);
     if (norm(found) < norm(best)) best = found;
   }
@@ -78,7 +68,7 @@ bool goes_on(const Surface& s, const SurfacePoint& from, Vec2 round, double r, d
     chart.advance(s, along);
     const bool as_before = s.face_normal(chart.point.face).dot(s.face_normal(from.face)) > 0;
     const double ahead = (chart.position - start).dot(s.to_space(from.face, unit(along)));
-    if (chart.at_boundary || !as_before || !(ahead > kStraightOn * norm(along))) return false;
+    if (chart.at_boundary || !as_before || !(ahead > kLimbGoesOn * norm(along))) return false;
     if (!std::isfinite(norm(shortest_round(s, chart.point, r, most)))) return false;
   }
   return true;

@@ -5,29 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "seed/constants.h"
+
 namespace meander {
-namespace {
-
-/// A line comes no nearer to itself than by this share of the way along it: it may turn back, by three quarters of a
-/// circle, but not wind round a limb that is thinner than a spacing. near_target along the surface on spot, in the
-/// median of three orders of its faces, is .9895, .9845 with .45, and .9843 with .6.
-constexpr double kOwn = 0.3;
-
-/// And another begins where there is this much of the room that it is to have.
-constexpr double kRoom = 0.97;
-
-/// The boundary is on both sides of a place where two directions to it are so opposed (a cosine), and the place is in
-/// the middle of a narrow strip where it is farther from the nearer side than this share of the width.
-constexpr double kOpposite = -0.8, kFromMiddle = 0.3;
-
-}  // namespace
-
 double LineCrowding::ahead(const LineNetwork::Node& p) const {
   return within(p, {spacing_.least * p.radius, spacing_.least_from_walls * p.radius, 0});
 }
 
 double LineCrowding::at_start(const LineNetwork::Node& p, double apart, double enough) const {
-  return within(p, {kRoom * apart * p.radius, kRoom * spacing_.from_walls * p.radius, enough});
+  return within(p, {kRoomToBegin * apart * p.radius, kRoomToBegin * spacing_.from_walls * p.radius, enough});
 }
 
 double LineCrowding::within(const LineNetwork::Node& p, const Limits& limits) const {
@@ -45,7 +31,7 @@ double LineCrowding::within(const LineNetwork::Node& p, const Limits& limits) co
     } else if (other.line == LineNetwork::kWall || other.line < trunks_) {
       limit = limits.walls;
     } else if (other.line == p.line) {
-      limit = std::min(limits.apart, kOwn * std::abs(other.arc - p.arc) * p.radius);
+      limit = std::min(limits.apart, kFromItself * std::abs(other.arc - p.arc) * p.radius);
     }
     most = std::max(most, limit - distance);
     return most > limits.enough;
@@ -62,9 +48,9 @@ double LineCrowding::of_boundary(const std::vector<Vec3>& beside, double limit) 
   const double here = nearest.norm();
   double opposite = std::numeric_limits<double>::infinity();
   for (const Vec3& v : beside) {
-    if (v.dot(nearest) < kOpposite * v.norm() * here) opposite = std::min(opposite, v.norm());
+    if (v.dot(nearest) < kBothSides * v.norm() * here) opposite = std::min(opposite, v.norm());
   }
-  const bool in_the_middle = here > kFromMiddle * (here + opposite);
+  const bool in_the_middle = here > kOffMiddle * (here + opposite);
   return in_the_middle ? 0 : limit - here;
 }
 

@@ -10,19 +10,10 @@
 
 #include "curve/crossings.h"
 #include "geodesic/geodesic_trace.h"
+#include "seed/constants.h"
 
 namespace meander {
 namespace {
-
-/// Nodes are looked for about this far away, in r.
-constexpr double kCell = 4;
-
-/// Radii in a ratio above 2 to the power of this are taken for that.
-constexpr int kMostLevel = 40;
-
-/// Farther away than this through space, in r, patches do not know whether one is hidden from another; there a place
-/// that faces away by more than this (a cosine) is taken for hidden.
-constexpr double kKnown = 2.7, kFacingEachOther = 0.2;
 
 /// Whether the rectangles round two pieces have nothing in common: seldom else in a face that holds many.
 bool boxes_apart(const Piece& p, const Piece& q) {
@@ -40,7 +31,7 @@ bool overlap(Vec2 common, Vec2 p, Vec2 q) {
 }  // namespace
 
 LineNetwork::LineNetwork(const Surface& surface, const SurfacePatches& patches, const RadiusField& radius)
-    : surface_(surface), patches_(patches), radius_(radius), least_cell_(kCell * radius.least()),
+    : surface_(surface), patches_(patches), radius_(radius), least_cell_(kCellOfNodes * radius.least()),
       beside_boundary_(patches.count(), 0) {
   levels_.resize(level_of(radius.most()) + 1);
 }
@@ -195,7 +186,7 @@ uint64_t LineNetwork::key(uint32_t component, int64_t x, int64_t y, int64_t z) {
 }
 
 size_t LineNetwork::level_of(double radius) const {
-  return static_cast<size_t>(std::clamp(std::ilogb(kCell * radius / least_cell_), 0, kMostLevel));
+  return static_cast<size_t>(std::clamp(std::ilogb(kCellOfNodes * radius / least_cell_), 0, kMostLevelOfRadii));
 }
 
 uint64_t LineNetwork::cell_of(const Node& node, size_t level) const {
@@ -214,7 +205,7 @@ double LineNetwork::along_surface(const Node& a, const Node& b, double chord) co
   if (a.patch == b.patch) return chord;
   if (patches_.hidden(a.patch, b.patch) || patches_.hidden(b.patch, a.patch)) return kFar;
   const double facing = std::clamp(patches_.normal(a.patch).dot(patches_.normal(b.patch)), -1.0, 1.0);
-  if (chord > kKnown * a.radius && facing < kFacingEachOther) return kFar;
+  if (chord > kPatchesKnow * a.radius && facing < kFacingEachOther) return kFar;
   // The arc of a circle to which both normals are perpendicular: half of its angle over the sine of that, whose square
   // this is. The last term is for half a circle.
   const double square = 0.5 * (1 - facing), cube = square * square * square;

@@ -11,10 +11,14 @@
 #include "base/variation.h"
 #include "geodesic/chart.h"
 #include "seed/bent_path.h"
+#include "seed/constants.h"
 #include "seed/link_rules.h"
 
 namespace meander {
 namespace {
+
+/// What a search counts for, in pieces of work.
+constexpr size_t kSearched = 64;
 
 /// How a link leaves a line.
 enum class Exit : uint8_t { kNone, kTip, kLeft, kRight };
@@ -182,7 +186,7 @@ class Joiner {
     if (!chart.advance_to(s_, b.point, b.place, kUsual.longest * a.radius)) return;
     const double length = norm(chart.place);
     if (!(length > 0) || length > kUsual.longest * a.radius) return;
-    if (network_.passes_by(c.from, line_of(c.to), chart.place, kClear)) return;
+    if (network_.passes_by(c.from, line_of(c.to), chart.place, kClearOfThirdLines)) return;
     Path path;
     trace_geodesic(s_, a.point, chart.place, path);
     if (const auto shape = shortener_.adopt(a.point, b.point, path)) link(kUsual, c, std::move(path), *shape);
@@ -350,7 +354,7 @@ class Joiner {
   bool is_used(uint32_t node, Exit exit) const {
     const auto arc = [&](uint32_t i) { return network_.nodes()[i].arc; };
     return std::ranges::any_of(used_[line_of(node)], [&](const auto& other) {
-      return other.second == exit && std::abs(arc(other.first) - arc(node)) < kApart;
+      return other.second == exit && std::abs(arc(other.first) - arc(node)) < kLinksApart;
     });
   }
 

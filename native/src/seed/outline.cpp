@@ -8,15 +8,13 @@
 
 #include "base/point_tree.h"
 #include "geodesic/boundary_distance.h"
+#include "seed/constants.h"
 
 namespace meander {
 namespace {
 
-constexpr double kStep = 0.5;       // of points, in radii
-constexpr double kLeast = 6;        // length of a strand, in radii
-constexpr double kBeside = 3;       // arc length within which a line is not beside itself, in radii
-constexpr double kFineness = 4;     // the distance over the longest edge near the boundary
-constexpr uint32_t kFacesPerPoll = 1024;  // faces and points from one poll to the next
+/// Faces and points from one poll to the next.
+constexpr uint32_t kFacesPerPoll = 1024;
 
 /// A closed line, in the surface's own unit and in the caller's space.
 struct Loop {
@@ -129,7 +127,7 @@ std::vector<std::vector<uint8_t>> points_with_room(const std::vector<Loop>& loop
       for (const uint32_t other : near) {
         const auto [line, index] = where[other];
         const size_t along = std::max<size_t>(index, k) - std::min<size_t>(index, k);
-        if (line != i || static_cast<double>(std::min(along, n - along)) > kBeside / kStep) free[k] = 0;
+        if (line != i || static_cast<double>(std::min(along, n - along)) > kOutlineBeside / kOutlineStep) free[k] = 0;
       }
     }
   }
@@ -155,7 +153,7 @@ void add_stretches(const Loop& loop, const std::vector<uint8_t>& free, Outlines&
     }
     size_t end = k;
     while (end < n && free[(begin + end) % n]) ++end;
-    if (static_cast<double>(end - k) * kStep >= kLeast) add(begin + k, end - k, false);
+    if (static_cast<double>(end - k) * kOutlineStep >= kLeastOutline) add(begin + k, end - k, false);
     k = end;
   }
 }
@@ -167,15 +165,15 @@ Outlines find_outlines(const Surface& surface, double distance, double radius,
   Outlines result;
   if (surface.boundary().empty()) return result;
   const CancelToken poll = cancel.every(kFacesPerPoll);
-  const BoundaryDistance field(surface, distance, distance / kFineness, cancel);
+  const BoundaryDistance field(surface, distance, distance / kOutlineFineness, cancel);
   std::vector<Loop> loops;
   for (const Loop& level_line : LevelLines(field, distance).find(poll)) {
     const std::vector<double> until = arc_lengths(level_line.points);
-    if (until.back() < kLeast * radius) {
+    if (until.back() < kLeastOutline * radius) {
       ++result.skipped;
       continue;
     }
-    const double steps = std::round(until.back() / (kStep * radius));
+    const double steps = std::round(until.back() / (kOutlineStep * radius));
     loops.push_back(resampled(level_line, until, std::max<size_t>(3, static_cast<size_t>(steps))));
   }
   const std::vector<std::vector<uint8_t>> free = points_with_room(loops, radius, poll);

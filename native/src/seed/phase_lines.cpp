@@ -16,31 +16,13 @@
 #include "mesh/even_lines.h"
 #include "mesh/line_relaxation.h"
 #include "mesh/strips.h"
+#include "seed/constants.h"
 #include "seed/even_rows.h"
 #include "seed/level_lines.h"
 #include "seed/limbs.h"
 
 namespace meander {
 namespace {
-
-/// Lines follow strips and stems that are narrower than the first, in r; there are two from the second width on.
-constexpr double kNarrow = 6.4, kTwoAlong = 16.0 / 3;
-
-/// Lines lead along limbs that are less than this round, in r: where there is as little room round a limb, those that
-/// wind round it come too near to themselves. docs/decisions.md, "Along thin limbs".
-constexpr double kThinLimb = 3;
-
-/// Where lines are off by more than the first, as a share of their length, they are laid otherwise, so often, until
-/// they are off by no more than the second together with their links. docs/decisions.md, "Whole numbers of lines round
-/// a tube".
-constexpr double kLengthOff = 0.02, kFaultLeft = 0.03;
-constexpr uint32_t kTurns = 12;
-
-/// Which share of the time of lines has passed when their phase is found, and which of them are laid unless they turn.
-constexpr double kPhaseFound = 0.97, kFirstLaid = 0.9;
-
-/// From one turn to the next, as a share of half a turn: not that from variation to variation, or these would be alike.
-constexpr double kNextTurn = std::numbers::sqrt2 - 1;
 
 bool has_direction(Vec2 line) { return norm(line) > 1e-9; }
 
@@ -58,7 +40,7 @@ std::vector<double> widths_of_strips(const Surface& surface, const RadiusField& 
   std::vector<double> widths;
   for (const Strip& strip : strips_of(surface)) {
     const double width = strip.width / radius.most();
-    widths.push_back(strip.is_long() && width < kNarrow ? width : 0);
+    widths.push_back(strip.is_long() && width < kAlongStrips ? width : 0);
   }
   return widths;
 }
@@ -70,7 +52,7 @@ std::vector<uint8_t> straight_sheets(const Surface& surface, const LineField& sm
   for (uint32_t f = 0; f < surface.face_count(); ++f) area[surface.component(f)] += surface.face_area(f);
   for (const HalfEdge e : surface.boundary()) boundary[surface.component(face_of(e))] += norm(surface.along(e));
   std::vector<uint8_t> straight = with_even_lines(surface, smooth);
-  for (size_t k = 0; k < area.size(); ++k) straight[k] &= 2 * area[k] > kNarrow * radius * boundary[k];
+  for (size_t k = 0; k < area.size(); ++k) straight[k] &= 2 * area[k] > kAlongStrips * radius * boundary[k];
   return straight;
 }
 
@@ -120,7 +102,7 @@ std::vector<StripeDistances> stripe_distances(const Surface& surface, const Star
     if (even[k] && across[k] > 0) {
       distances[k] = at(even_distance(across[k] / radius.most(), margin, rest * spacing.apart));
     } else if (field.widths[k] > 0) {
-      distances[k] = at(field.widths[k] / (field.widths[k] < kTwoAlong ? 1 : 2));
+      distances[k] = at(field.widths[k] / (field.widths[k] < kTwoAlongStrips ? 1 : 2));
     }
   }
   return distances;
@@ -202,9 +184,9 @@ struct Layer {
     const auto in = [&](const std::vector<uint8_t>& those) {
       return [&](uint32_t f) { return those[surface.component(f)] != 0; };
     };
-    for (uint32_t k = 1; k <= kTurns && std::ranges::count(off, 1) > 0; ++k) {
+    for (uint32_t k = 1; k <= kMostTurnsOfField && std::ranges::count(off, 1) > 0; ++k) {
       LineField turned = field;
-      const double by = share_of_variation(variation) + k * kNextTurn;
+      const double by = share_of_variation(variation) + k * kNextTurnOfField;
       turned.replace(relaxed_field(surface, turn_of_field(by - std::floor(by)), false, pool), in(off));
       // As many turns as it takes: each has half of what is left.
       const double left = std::ldexp(1.0, 1 - static_cast<int>(k));

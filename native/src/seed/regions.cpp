@@ -8,15 +8,11 @@
 #include <unordered_map>
 
 #include "base/variation.h"
+#include "seed/constants.h"
 #include "seed/guide_samples.h"
 
 namespace meander {
 namespace {
-
-constexpr double kFarEnough = 2.5;      // in r: the first place this far from all guides is taken
-constexpr double kWorthALoop = 0.8;     // in r: narrower places are covered by the guides around
-constexpr double kInsideFace = 0.1;     // of the weights of corners: any place in a face is clear of its edges
-constexpr double kInsideStrip = 0.15;  // of r: clear of an outline that runs at the strip's edge
 
 /// So many places are tried where one lies in a strip to be left empty, by variations that nobody asks for.
 constexpr uint32_t kOtherPlacesOfStrip = 16, kOthersApart = 1u << 27;
@@ -156,7 +152,7 @@ class GuidedRegions {
       most = samples_.relative_room(i);
       region.middle = samples_.point(i);
       region.room = samples_.room(i);
-      if (most >= kFarEnough) break;
+      if (most >= kFarFromGuides) break;
     }
     return most >= kWorthALoop ? std::optional(region) : std::nullopt;
   }

@@ -11,47 +11,12 @@
 
 #include "base/variation.h"
 #include "geodesic/chart.h"
+#include "seed/constants.h"
 #include "seed/field_steps.h"
 #include "seed/line_crowding.h"
 
 namespace meander {
 namespace {
-
-/// Others begin beside every fourth node of a line.
-constexpr size_t kEvery = 4;
-
-/// A line that is shorter than this, in units of `apart`, is not drawn, nor is one between others that is shorter than
-/// the second. Where a part of the surface has no other one it may be as short as the third.
-constexpr double kShortest = 1, kShortestBetween = 2, kShortestAlone = 0.25;
-
-/// Nor one that is laid and shorter than this.
-constexpr double kShortestLaid = 1;
-
-/// Between others lines begin in gaps that are narrower by this, in r, from turn to turn.
-constexpr double kNarrower = 0.2;
-
-/// A stem is narrower than this, in r, and has two lines from the second width on: four strands, a quarter of the width
-/// from one another, are then nearer to the spacing than two at half of it.
-constexpr double kStem = 8, kTwoLines = 16.0 / 3;
-
-/// The field runs along the boundary where one of the two ways across it ends within this, in r.
-constexpr double kOutside = 0.1;
-
-/// In what is narrower than this, in r, no line begins: no curve comes to rest on both sides of it.
-constexpr double kTooThin = 0.4;
-
-/// Nodes of one line are no more than this.
-constexpr size_t kMostNodes = 1u << 22;
-
-/// Places to look at in faces larger than this, in r, lie no farther apart.
-constexpr double kPlaces = 2;
-
-/// Around a place that is too near to something all others are, as far as by this share of what it is too near.
-constexpr double kAround = 0.7;
-constexpr uint32_t kMostRows = 256;
-
-/// So many places are looked at ahead of the lines that begin there: the more, the longer none has begun.
-constexpr size_t kLeastAhead = 64, kMostAhead = 8192;
 
 class Drawer {
  public:
@@ -144,7 +109,7 @@ class Drawer {
     if (is_known(node) || ends_at_once(node)) return;
     if (place.crowding == kUnknown) place.crowding = crowding_.at_start(node, apart_, node.radius);
     if (place.crowding > 0) {
-      crowded_[node.patch] = {node.place, kAround * place.crowding};
+      crowded_[node.patch] = {node.place, kCrowdedAround * place.crowding};
       return;
     }
     begin_at(node);
@@ -164,11 +129,13 @@ class Drawer {
         return trace_geodesic(s_, node.point, Vec2{0, distance * node.radius} * direction, path);
       };
       for (const double side : {1.0, -1.0}) {
-        if (across(-side * kOutside).hit_boundary == across(side * kOutside).hit_boundary) break;
-        if (across(side * kOutside).hit_boundary) continue;
-        const Trace other = across(side * kStem);
+        if (across(-side * kAcrossBoundary).hit_boundary == across(side * kAcrossBoundary).hit_boundary) break;
+        if (across(side * kAcrossBoundary).hit_boundary) continue;
+        const Trace other = across(side * kWidthOfStem);
         const double width = other.length / node.radius;
-        const double away = !other.hit_boundary ? 0.5 * spacing_.apart : width < kTwoLines ? 0.5 * width : 0.25 * width;
+        const double away = !other.hit_boundary       ? 0.5 * spacing_.apart
+                            : width < kTwoAlongStrips ? 0.5 * width
+                                                      : 0.25 * width;
         beside_.push_back(across(side * away).end);
       }
     }
@@ -199,7 +166,8 @@ class Drawer {
     double longest = 0;
     for (uint32_t k = 0; k < 3; ++k) longest = std::max(longest, norm(s_.along(3 * f + k)));
     const double r = radius_.at(s_, make_point(f, 1, 1, 1));
-    const auto rows = static_cast<uint32_t>(std::clamp(std::ceil(longest / (kPlaces * r)), 1.0, double{kMostRows}));
+    const auto rows =
+        static_cast<uint32_t>(std::clamp(std::ceil(longest / (kPlacesInFace * r)), 1.0, double{kMostRowsOfPlaces}));
     for (uint32_t i = 0; i < rows; ++i) {
       for (uint32_t j = 0; i + j < rows; ++j) {
         const double x = (i + 1.0 / 3) / rows, y = (j + 1.0 / 3) / rows;
@@ -279,7 +247,7 @@ class Drawer {
   }
 
   void offer_beside(const Streamline& line, double apart) {
-    for (size_t k = 0; k < line.nodes.size(); k += kEvery) offer_beside(network_.nodes()[line.nodes[k]], apart);
+    for (size_t k = 0; k < line.nodes.size(); k += kBesideEvery) offer_beside(network_.nodes()[line.nodes[k]], apart);
   }
 
   /// Places to both sides of a node where another line may begin.
@@ -296,7 +264,7 @@ class Drawer {
   /// Follows the field from a node until the line has to end, or is as long as it may be, in r.
   void trace(uint32_t from, Vec2 direction, double sign, double longest, std::vector<uint32_t>& nodes) {
     const uint32_t line = network_.nodes()[from].line;
-    const auto most = static_cast<size_t>(std::clamp(longest / spacing_.step, 0.0, double{kMostNodes}));
+    const auto most = static_cast<size_t>(std::clamp(longest / spacing_.step, 0.0, double{kMostNodesOfLine}));
     for (size_t k = 0; k < most; ++k) {
       poll_();
       const LineNetwork::Node here = network_.nodes()[from];

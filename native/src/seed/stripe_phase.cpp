@@ -11,46 +11,15 @@
 #include "base/elementary.h"
 #include "base/page_store.h"
 #include "mesh/aggregates.h"
+#include "seed/constants.h"
 
 namespace meander {
 namespace {
 
 constexpr double kWholeTurn = 2 * std::numbers::pi;
 
-/// Edges are halved until they are not longer than this, in r: a third of a turn across lines 4 r apart. With .9 lines
-/// are as even.
-constexpr double kLongestEdge = 1.4;
-
-/// The area of a part is about so much of the square of that; and there is room for so many divisions at first.
-constexpr double kPartsArea = 0.25, kMostReserved = 1e8;
-
-/// Rounds of sweeps on every level, each with numbers of length 1 in the end; less often on the finest ones, on which
-/// most of the time goes. Twice as many: lines as even. A round is as many sweeps forwards, and backwards.
-constexpr int kRounds = 3, kFineRounds = 1, kSweepsOfRound = 2;
-constexpr size_t kFinest = 2;
-
-/// The finest system is nearly as large as all coarser ones. With more rows than this it is found twice, and what is
-/// known of half-edges as well, so that these do not stand beside them: .3 kB less a node in all, for .8 s of a
-/// processor of a million nodes.
-constexpr uint32_t kFoundAgain = 1 << 19;
-
-/// The field has no direction in a face where a corner's differs by more than 60 degrees (a cosine) from the middle's,
-/// or where it is this weak.
-constexpr double kLeastAgreement = 0.5, kLeastStrength = 1e-6;
-
-/// The boundary holds the phase where the field is within 30 degrees (a cosine) of it, with a weight of this share of
-/// an edge's.
-constexpr double kAlongBoundary = 0.866, kHold = 1;
-
-/// Which share of the time of a phase has passed when its steps end: of a million vertices, on two threads.
-constexpr double kDivided = 0.18, kSignsFound = 0.28, kFacesSeen = 0.37, kCoupled = 0.51, kAllJoined = 0.61,
-                 kCoarseRelaxed = 0.7, kFoundTwice = 0.9, kRelaxed = 0.93, kCrossingsFound = 1;
-
 /// Faces, rows or edges between two asks.
 constexpr uint32_t kPerPoll = 1024;
-
-/// Cotangents below this count as this.
-constexpr double kLeastWeight = 0.05;
 
 Vec2 turned_by(double angle) { return {elementary::cos(angle), elementary::sin(angle)}; }
 
@@ -61,7 +30,7 @@ std::pair<HalfEdge, double> longest_edge(const RefinedSurface& mesh, const Radiu
   const HalfEdge longest =
       *std::ranges::max_element(corners, {}, [&](HalfEdge h) { return mesh.length(h); });
   const SurfacePoint middle{mesh.origin(f), mesh.at_share(longest, 0.5)};
-  return {longest, mesh.length(longest) / (kLongestEdge * radius.at(s, middle))};
+  return {longest, mesh.length(longest) / (kLongestEdgeOfPhase * radius.at(s, middle))};
 }
 
 /// Halves the longest edge of every face until none is too long: those that are it most first, since halving an edge
@@ -71,10 +40,10 @@ void divide(const Surface& s, const RadiusField& radius, RefinedSurface& mesh, C
   for (uint32_t f = 0; f < mesh.face_count(); ++f) {
     poll();
     most = std::max(most, longest_edge(mesh, radius, s, f).second);
-    const double longest = kLongestEdge * radius.at(s, make_point(f, 1, 1, 1));
+    const double longest = kLongestEdgeOfPhase * radius.at(s, make_point(f, 1, 1, 1));
     faces += std::max(0.0, s.face_area(f) / (kPartsArea * longest * longest) - 1);
   }
-  mesh.reserve_divisions(static_cast<size_t>(std::min(0.5 * faces, kMostReserved)));
+  mesh.reserve_divisions(static_cast<size_t>(std::min(0.5 * faces, kMostDivisions)));
   while (most > 1) {
     most = std::max(most / std::numbers::sqrt2, 1.0);
     for (uint32_t f = 0; f < mesh.face_count(); ++f) {
@@ -164,7 +133,7 @@ class StripePhase::Relaxation {
         tell_(kFoundTwice);
       }
       carry_to(level.pairs);
-      relax_phase(level, k < kFinest ? kFineRounds : kRounds, values_, poll_);
+      relax_phase(level, k < kFinestLevels ? kFineRounds : kRoundsOfLevel, values_, poll_);
       if (k > 0) tell_(std::lerp(kAllJoined, kCoarseRelaxed, share(level.edges.size())));
     }
   }
@@ -243,7 +212,7 @@ class StripePhase::Relaxation {
     const double apart = distances(mesh_.face(h)).apart * radius_.at(s_, middle);
     const double rise = kWholeTurn / apart * dot(Vec2{0, 1} * line, to - from);
     const Vec2 a = from - opposite, b = to - opposite;
-    return {rise, std::max(0.5 * dot(a, b) / cross(a, b), kLeastWeight)};
+    return {rise, std::max(0.5 * dot(a, b) / cross(a, b), kLeastHalfCotangent)};
   }
 
   /// What the vertex at the start of a half-edge of a face takes from that at its end, and the other way.
@@ -293,7 +262,7 @@ class StripePhase::Relaxation {
         if (std::abs(dot(edge, here)) < kAlongBoundary) continue;
         const double outwards = dot(Vec2{0, 1} * here, Vec2{0, -1} * edge) < 0 ? -1 : 1;
         const uint32_t v = mesh_.from(corner);
-        held[v] = held[v] + kHold * turned_by(outwards * angle);
+        held[v] = held[v] + kHoldOfBoundary * turned_by(outwards * angle);
       }
     }
     return held;

@@ -7,12 +7,10 @@
 
 #include "curve/crossings.h"
 #include "geodesic/geodesic_trace.h"
+#include "seed/constants.h"
 
 namespace meander {
 namespace {
-
-/// So often distances are halved.
-constexpr int kHalvings = 24;
 
 /// Segments joined between two asks.
 constexpr uint32_t kSegmentsPerPoll = 1024;
@@ -38,11 +36,11 @@ class Laying {
   Pairs lay() {
     std::vector<uint8_t> nearer;  // per node: its corner has come nearer to the tree
     Pairs crossing;
-    for (int k = 0; k <= kHalvings; ++k) {
+    for (int k = 0; k <= kHalvingsOfOffset; ++k) {
       lay_out(nearer);
       const Table<uint8_t> changed = join();
       crossing = test_.find(network_.surface(), curve_, pool_, &changed);
-      if (crossing.empty() || k == kHalvings) break;
+      if (crossing.empty() || k == kHalvingsOfOffset) break;
       nearer = halve(crossing);
     }
     return crossing;

@@ -8,18 +8,12 @@
 #include <utility>
 
 #include "base/elementary.h"
+#include "seed/constants.h"
 
 namespace meander {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-/// A sector wider than this has three nodes, so that the curve goes round a tip; one narrower than that is a corner of
-/// two edges, in whose bisector the node lies kMostReach offsets away at most.
-constexpr double kTip = 1.4 * kPi, kCorner = 0.75 * kPi, kMostReach = 2;
-
-/// Beside such a corner nodes are left out as far as this along the edges, in offsets.
-constexpr double kLeftOut = 2;
 
 double angle_of(Vec2 v) { return elementary::atan2(v.y, v.x); }
 
@@ -35,8 +29,8 @@ struct Sector {
     if (angle <= 0 || out == Ways::twin(in)) angle += 2 * kPi;
     return {ahead, std::min(angle, 2 * kPi), hand};
   }
-  bool is_tip() const { return angle > kTip; }
-  bool is_corner() const { return angle < kCorner; }
+  bool is_tip() const { return angle > kSectorOfTip; }
+  bool is_corner() const { return angle < kSectorOfCorner; }
   Vec2 at(double share) const {
     const double a = hand * share * angle;
     return unit(leaving * Vec2{elementary::cos(a), elementary::sin(a)});
@@ -87,7 +81,7 @@ class StopMaker {
     std::vector<uint8_t> left_out(count, 0);
     for (size_t k = 0; k < count; ++k) {
       if (!is_narrow(k)) continue;
-      const double far = kLeftOut * reach(k);
+      const double far = kLeftOutAtCorner * reach(k);
       for (const size_t step : {size_t{1}, count - 1}) {
         double length = 0;
         for (size_t at = k, n = 0; n + 1 < count; ++n) {
@@ -120,7 +114,7 @@ class StopMaker {
         if (s.is_tip()) {
           for (const double share : {0.75, 0.5, 0.25}) stop(s.at(share), 1);
         } else {
-          stop(s.at(0.5), std::min(kMostReach, 1 / elementary::sin(std::min(0.5 * s.angle, 0.5 * kPi))));
+          stop(s.at(0.5), std::min(kMostReachOfCorner, 1 / elementary::sin(std::min(0.5 * s.angle, 0.5 * kPi))));
         }
       }
     }

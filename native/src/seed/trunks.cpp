@@ -10,25 +10,10 @@
 
 #include "geodesic/chart.h"
 #include "seed/bent_path.h"
+#include "seed/constants.h"
 
 namespace meander {
 namespace {
-
-/// A strip that is no wider than this, in r, is filled by one line along its middle, and one up to the second by two.
-constexpr double kOneLine = 3.2, kTwoStrands = 6.4;
-
-/// A tail that is shorter than this, in r, stays part of its trunk.
-constexpr double kLeastTail = 1;
-
-/// A trunk that is no longer than this, in r, is not left sideways, since that is near to one of its ends.
-constexpr double kShortTrunk = 3;
-
-/// An end runs on along a line whose tip is no farther than this, in r, and no farther from straight ahead than by this
-/// cosine.
-constexpr double kAhead = 10, kStraightAhead = 0.5;
-
-/// Nodes of a laid line that may be beyond a corner, besides its last one.
-constexpr size_t kTooFar = 2;
 
 constexpr double kWide = std::numeric_limits<double>::infinity();
 
@@ -73,7 +58,7 @@ class Prolonging {
     linked_.resize(lines_.size(), 0);
     const auto direction = nodes.size() < 2 ? std::nullopt : outward(network_, nodes);
     if (!direction) return;
-    for (const uint32_t tip : tips_in_reach(nodes.back(), *direction, kTwoStrands)) {
+    for (const uint32_t tip : tips_in_reach(nodes.back(), *direction, kTwoStrandsInStrip)) {
       const uint32_t line = network_.nodes()[tip].line;
       if (linked_[line] || !join(nodes.back(), tip)) continue;
       linked_[line] = 1;
@@ -87,7 +72,7 @@ class Prolonging {
     if (nodes.size() < 2) return false;
     const auto direction = outward(network_, nodes);
     if (!direction || !ends_in_narrow(nodes, *direction)) return false;
-    for (const uint32_t tip : tips_in_reach(nodes.back(), *direction, kOneLine)) {
+    for (const uint32_t tip : tips_in_reach(nodes.back(), *direction, kOneLineInStrip)) {
       if (!join(nodes, kept, tip)) continue;
       take(network_.nodes()[tip].line, tip, line, nodes);
       return true;
@@ -98,11 +83,11 @@ class Prolonging {
  private:
   /// Whether it is narrow where a line ends or, as the strip may turn there, just before.
   bool ends_in_narrow(const std::vector<uint32_t>& nodes, Vec2 direction) const {
-    if (across(network_, nodes.back(), direction, kOneLine).width() <= kOneLine) return true;
+    if (across(network_, nodes.back(), direction, kOneLineInStrip).width() <= kOneLineInStrip) return true;
     const LineNetwork::Node& end = network_.nodes()[nodes.back()];
     for (size_t k = nodes.size(); k-- > 0;) {
-      if ((network_.nodes()[nodes[k]].place - end.place).norm() > kOneLine * end.radius) break;
-      if (is_narrow(nodes[k], kOneLine)) return true;
+      if ((network_.nodes()[nodes[k]].place - end.place).norm() > kOneLineInStrip * end.radius) break;
+      if (is_narrow(nodes[k], kOneLineInStrip)) return true;
     }
     return false;
   }
@@ -116,7 +101,7 @@ class Prolonging {
   std::vector<uint32_t> tips_in_reach(uint32_t end, Vec2 direction, double width) {
     const LineNetwork::Node& here = network_.nodes()[end];
     std::vector<std::tuple<bool, double, uint32_t>> tips;
-    network_.near(here, kAhead * here.radius, [&](uint32_t i, double distance) {
+    network_.near(here, kTipAhead * here.radius, [&](uint32_t i, double distance) {
       const LineNetwork::Node& other = network_.nodes()[i];
       if (other.line >= LineNetwork::kBoundary || other.line < drawn_) return false;
       const std::vector<uint32_t>& line = lines_[other.line].nodes;
@@ -141,7 +126,7 @@ class Prolonging {
   /// Joins the end to a tip or, where it has gone too far round a corner, a node before it; what is after that node is
   /// a line of its own then.
   bool join(std::vector<uint32_t>& nodes, size_t kept, uint32_t tip) {
-    const size_t least = std::max(kept, nodes.size() - std::min(nodes.size(), kTooFar));
+    const size_t least = std::max(kept, nodes.size() - std::min(nodes.size(), kMostBeyondCorner));
     for (size_t count = nodes.size(); count >= least && count > 1; --count) {
       if (!join(nodes[count - 1], tip)) continue;
       if (count < nodes.size()) cut(nodes, count);
@@ -179,7 +164,7 @@ class Prolonging {
   std::optional<PathShape> straight(uint32_t from, uint32_t to, Path& path) {
     const LineNetwork::Node &a = network_.nodes()[from], &b = network_.nodes()[to];
     Chart chart = Chart::at(a.point, a.place);
-    if (!chart.advance_to(s_, b.point, b.place, kAhead * a.radius)) return std::nullopt;
+    if (!chart.advance_to(s_, b.point, b.place, kTipAhead * a.radius)) return std::nullopt;
     trace_geodesic(s_, a.point, chart.place, path);
     return shortener_.adopt(a.point, b.point, path);
   }
@@ -255,8 +240,8 @@ void Trunks::part_alone(const Curve& curve, size_t k, LineNetwork& network, std:
   const auto is_alone = [&](size_t i) {
     const auto at = static_cast<uint32_t>(strand.first + i);
     const Vec2 along = curve.has_segment(at) ? curve.shapes[at].leaving : curve.shapes[at - 1].arriving;
-    const Across sides = across(network, nodes[i], unit(along), kTwoStrands);
-    return !fixed[i] && sides.width() > kOneLine && sides.width() < kTwoStrands;
+    const Across sides = across(network, nodes[i], unit(along), kTwoStrandsInStrip);
+    return !fixed[i] && sides.width() > kOneLineInStrip && sides.width() < kTwoStrandsInStrip;
   };
   const size_t count = nodes.size();
   if (count < 4) return;
