@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the constants of the library say of themselves: unit, range, and what chose them."""
+"""What the constants of the library say of themselves: unit, range, and what chose them; and that
+they stand in the table of their room."""
 
 from __future__ import annotations
 
@@ -10,21 +11,39 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-FILES = sorted((ROOT / "native" / "src").glob("*/constants.h"))
+SOURCES = ROOT / "native" / "src"
+FILES = sorted(SOURCES.glob("*/constants.h"))
 HEADINGS = re.findall(r"^#+ (.*)$", (ROOT / "docs" / "decisions.md").read_text(), re.MULTILINE)
 LINE = re.compile(r"constexpr \w+ (k\w+) = ([^;]+);\s*// ([^;]+); ([^;]+); (.+)")
 NUMBERS = {"pi": math.pi, "sqrt2": math.sqrt(2.0)}
+# Rooms that have all their numbers in the table.
+COMPLETE = ("mesh",)
+NUMBER = re.compile(
+    r"^(?:inline |static )*constexpr (?:double|float|int|(?:std::)?(?:u?int\d+|size)_t)"
+    r"((?:\s+k\w+ = [^;,]+,?)+);",
+    re.MULTILINE,
+)
+# What may stand beside its code: a name for no element, and how much is done at a time, which is
+# counted in pieces.
+NOTHING = re.compile(r"UINT32_MAX|std::numeric_limits<\w+>::\w+\(\)")
+AT_A_TIME = re.compile(r"k\w+(?:PerPoll|PerBlock|Grain)|kPiecesPer\w+")
 FIGURES = re.compile(r'\d|"\w+: ')  # numbers, or the subject of a commit that has them
 
 
-def value_of(said: str) -> float:
-    """A number, or a product such as "2 * std::numbers::pi / 3"."""
+def value_of(said: str, known: dict[str, float]) -> float:
+    """A number, or a product such as "2 * std::numbers::pi / 3", of constants above it too."""
     said = re.sub(r"std::numbers::(\w+)", lambda name: str(NUMBERS[name[1]]), said)
-    value, *factors = re.split(r" ([*/]) ", said)
-    result = float(value)
+    value, *factors = (
+        word if word in "*/" else known[word] if word in known else number_of(word)
+        for word in re.split(r" ([*/]) ", said)
+    )
     for sign, factor in zip(factors[::2], factors[1::2], strict=True):
-        result = result * float(factor) if sign == "*" else result / float(factor)
-    return result
+        value = value * factor if sign == "*" else value / factor
+    return value
+
+
+def number_of(word: str) -> float:
+    return float.fromhex(word) if word.startswith("0x") else float(word)
 
 
 def lies_within(value: float, said: str, known: dict[str, float]) -> bool:
@@ -59,7 +78,9 @@ def test_each_constant_has_a_unit_a_range_and_a_source(path: Path) -> None:
     assert declared
     found = {number: LINE.search(lines[number]) for number in declared}
     assert not [lines[number] for number in declared if not found[number]]
-    known = {"pi": math.pi, **{line[1]: value_of(line[2]) for line in found.values()}}
+    known = {"pi": math.pi}
+    for line in found.values():
+        known[line[1]] = value_of(line[2], known)
     for number, line in found.items():
         name, _value, _unit, said, source = line.groups()
         assert lies_within(known[name], said, known), lines[number]
@@ -67,3 +88,36 @@ def test_each_constant_has_a_unit_a_range_and_a_source(path: Path) -> None:
             assert FIGURES.search(comment_above(lines, number)), lines[number]
         else:
             assert source in ("geometry", "free") or source.strip('"') in HEADINGS, lines[number]
+
+
+def numbers_beside_code(text: str) -> list[str]:
+    """Names of the numbers that a file declares for all of it and that belong into a table."""
+    return [
+        name
+        for declared in NUMBER.findall(re.sub(r"//[^\n]*", "", text))
+        for name, value in re.findall(r"(k\w+) = ([^,]+)", declared)
+        if not NOTHING.fullmatch(value) and not AT_A_TIME.fullmatch(name)
+    ]
+
+
+@pytest.mark.parametrize("room", COMPLETE)
+def test_numbers_stand_in_the_table_of_their_room(room: str) -> None:
+    files = {path for path in (SOURCES / room).iterdir() if path.name != "constants.h"}
+    beside = {path.name: numbers_beside_code(path.read_text()) for path in files}
+    assert not {name: numbers for name, numbers in beside.items() if numbers}
+
+
+@pytest.mark.parametrize(
+    ("text", "numbers"),
+    [
+        ("constexpr double kNear = 0.5;", ["kNear"]),
+        ("inline constexpr uint32_t kFew = 3, kMany = 4;  // both", ["kFew", "kMany"]),
+        ("constexpr double kNear = 1,\n                 kFar = 2;", ["kNear", "kFar"]),
+        ("constexpr size_t kMost = size_t{1} << 30;", ["kMost"]),
+        ("constexpr uint32_t kNobody = UINT32_MAX;", []),
+        ("constexpr uint32_t kPiecesPerPoll = 1u << 14;\nconstexpr size_t kPointGrain = 256;", []),
+        ("// constexpr double kNear = 0.5;\n  constexpr double kHere = 0.5;", []),
+    ],
+)
+def test_numbers_beside_their_code_are_found(text: str, numbers: list[str]) -> None:
+    assert numbers_beside_code(text) == numbers

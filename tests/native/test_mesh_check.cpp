@@ -11,6 +11,7 @@
 
 #include "base/failure.h"
 #include "base/thread_pool.h"
+#include "mesh/constants.h"
 #include "mesh/mesh_check.h"
 #include "meshes.h"
 

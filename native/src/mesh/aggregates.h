@@ -21,6 +21,7 @@
 #include "base/plane.h"
 #include "base/spare_memory.h"
 #include "base/thread_pool.h"
+#include "mesh/constants.h"
 #include "mesh/surface.h"
 
 namespace meander {
@@ -181,7 +182,7 @@ struct Pairs {
       of[rows.neighbour[best]] = of[i];
       if constexpr (kTurns) carry[rows.neighbour[best]] = unit(conj(rows.weight[best]));
     }
-    if (rows.size() > kSmall && count > kMostLeft * rows.size()) join_alone(rows, poll);
+    if (rows.size() > kFewRows && count > kMostLeftRows * rows.size()) join_alone(rows, poll);
   }
 
   /// The system of the pairs (Galerkin's).
@@ -205,10 +206,6 @@ struct Pairs {
   }
 
  private:
-  /// Pairs that leave a larger share of the rows than this hardly make a level coarser.
-  static constexpr double kMostLeft = 0.75;
-  /// So few rows cost nothing, however many levels they take, and pairs keep coarse values apart longer.
-  static constexpr uint32_t kSmall = 1024;
 
   void add_row(const Couplings<Weight>& rows, uint32_t i, uint32_t pair, std::vector<uint32_t>& place,
                Couplings<Weight>& coarse) const {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/failure.h"
+#include "mesh/constants.h"
 
 namespace meander {
 namespace {
@@ -14,10 +15,7 @@ namespace {
 using Corners = TriangleTree::Corners;
 
 /// Pieces of work of some nanoseconds between two asks.
-constexpr uint32_t kBetweenPolls = 1u << 14;
-/// What is measured with more care, for meshes, whose places are told to the last digits, and for surfaces, whose
-/// points are rounded to 2^-30.
-constexpr double kThin = 0x1p-3, kThinOnSurface = 0x1p-10;
+constexpr uint32_t kWorkPerPoll = 1u << 14;
 /// Points that a thread takes at a time.
 constexpr size_t kPointGrain = 256;
 
@@ -63,7 +61,7 @@ ClosestPlaces places_on(std::vector<Corners> triangles, const std::vector<uint32
   for (Corners& corners : triangles) {
     for (Vec3& p : corners) p = frame.to_inside(p);
   }
-  const TriangleTree tree(triangles, kThin, pool.poll(kBetweenPolls));
+  const TriangleTree tree(triangles, kThinInMesh, pool.poll(kWorkPerPoll));
   const size_t count = points.size() / 3;
   ClosestPlaces places{std::vector<uint32_t>(count), std::vector<std::array<double, 3>>(count),
                        std::vector<double>(count)};
@@ -92,7 +90,7 @@ ClosestPoint::Result ClosestPoint::operator()(const Vec3& q) const {
 ClosestPlaces closest_places(std::span<const double> vertices, std::span<const uint32_t> faces,
                              std::span<const double> points, ThreadPool& pool) {
   check_indices(vertices.size() / 3, faces);
-  CancelToken poll = pool.poll(kBetweenPolls);
+  CancelToken poll = pool.poll(kWorkPerPoll);
   std::vector<Corners> triangles;
   std::vector<uint32_t> number;
   for (size_t f = 0; f < faces.size() / 3; ++f) {

@@ -3,16 +3,13 @@
 
 #include <algorithm>
 
+#include "mesh/constants.h"
 #include "mesh/edge_groups.h"
 #include "mesh/in_circle.h"
 
 namespace meander {
 namespace {
 
-constexpr double kStretch = 2;
-/// Per triangle. Flips can be as many as the square of the corners, along straight sides of a hundred thousand; what is
-/// flat after these is left to repair.
-constexpr size_t kMostFlips = 1000;
 constexpr uint32_t kRim = UINT32_MAX;
 
 /// Half-edges as in edge_groups.h. This table of what lies beyond each is kept for one polygon only, which is no mesh
@@ -27,7 +24,7 @@ class DiagonalFlips {
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
     const bool wide = high.x - low.x > high.y - low.y;
-    for (const Vec2 p : points) points_.push_back({wide ? kStretch * p.x : p.x, wide ? p.y : kStretch * p.y});
+    for (const Vec2 p : points) points_.push_back({wide ? kPlaneStretch * p.x : p.x, wide ? p.y : kPlaneStretch * p.y});
     ThreadPool pool(1);
     EdgeGroups(triangles, points.size(), pool).for_each({}, [&](const VertexPair&, EdgeSides sides) {
       if (sides.size() != 2) return;
@@ -40,7 +37,7 @@ class DiagonalFlips {
   }
 
   void flip_all() {
-    size_t left = kMostFlips * triangles_.size();
+    size_t left = kMostFlipsOfTriangle * triangles_.size();
     while (!doubtful_.empty() && left > 0) {
       const uint32_t e = doubtful_.back();
       doubtful_.pop_back();

@@ -10,6 +10,7 @@
 #include "base/eigen.h"
 
 #include "base/disjoint_sets.h"
+#include "mesh/constants.h"
 #include "mesh/divided_quads.h"
 #include "mesh/repairs.h"
 #include "mesh/shared_places.h"

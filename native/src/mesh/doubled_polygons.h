@@ -14,9 +14,6 @@
 
 namespace meander {
 
-/// Cells of the search for vertices in one place: of many times the distance, so that most queries look into one.
-inline constexpr double kDoublesCell = 16;
-
 /// Triangles to be left out, and the vertices whose places are taken by those of what stays.
 struct DoubledPolygons {
   std::vector<uint32_t> faces;  ///< rising

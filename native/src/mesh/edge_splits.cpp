@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/point_grid.h"
+#include "mesh/constants.h"
 #include "mesh/repairs.h"
 #include "mesh/seams.h"
 #include "mesh/sheets.h"

@@ -3,6 +3,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/eigen.h"
+#include "mesh/constants.h"
 #include "mesh/repairs.h"
 
 namespace meander {
@@ -94,10 +95,8 @@ std::vector<uint32_t> faces_without_area(const Soup& soup, double share) {
 
 void dissolve_faces_without_area(Soup& soup, PrepareCounts& counts) {
   counts.dropped_faces += soup.drop_collapsed();
-  // Chains of faces need several passes.
-  constexpr int kMostPasses = 64;
   size_t before = SIZE_MAX;
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  for (int pass = 0; pass < kMostDissolvingPasses; ++pass) {
     const std::vector<uint32_t> flat = faces_without_area(soup, kFlatForRepair);
     if (flat.empty()) return;
     // At the end of a circle of very many corners all divisions are flat.

@@ -6,11 +6,10 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/constants.h"
+
 namespace meander {
 namespace {
-
-/// Over the side of a square as large as the surface the distance of two lines changes by less than this, as a share.
-constexpr double kMostSpreading = 0.01;
 
 /// The line at a corner of a face, of the sign that makes it the nearer to another one.
 Vec2 line_like(const LineField& field, uint32_t f, uint32_t k, Vec2 other) {

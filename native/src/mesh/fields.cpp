@@ -9,21 +9,15 @@
 #include "base/elementary.h"
 #include "base/failure.h"
 #include "mesh/closest_point.h"
+#include "mesh/constants.h"
 #include "mesh/sparse_factors.h"
 #include "mesh/vertex_geometry.h"
 
 namespace meander {
 namespace {
 
-/// One implicit step of diffusion by this share of a radius averages over that radius.
-constexpr double kDiffusion = 0.5;
-
-/// On a flat component there is a line field without energy, and the matrix would be singular: this share of the
-/// areas is added to it.
-constexpr double kShift = 1e-6;
-
 /// What is done between two asks: a few hundred microseconds, and for whole fields at once some milliseconds.
-constexpr uint32_t kPieces = 8192;
+constexpr uint32_t kPiecesPerPoll = 8192;
 
 /// The curvature tensor at the vertices: its mean, and half the difference of its two eigenvalues as a
 /// line along the direction in which the surface bends least (signed).
@@ -61,7 +55,7 @@ CurvatureTensor curvature_tensor(const VertexGeometry& g) {
 /// The direction of least bending in absolute value: the difference of the squared curvatures.
 Lines least_bending(const VertexGeometry& g, double radius) {
   const CurvatureTensor t = curvature_tensor(g);
-  const double length = kDiffusion * radius;
+  const double length = kDiffusedLength * radius;
   return g.smoothed(Lines(g.smoothed(t.difference, length).cwiseProduct(g.smoothed(t.mean, length))), 0.5 * length);
 }
 
@@ -102,7 +96,7 @@ void normalise(Lines& x, const Functions& area, const std::vector<uint32_t>& com
 }
 
 Eigen::SparseMatrix<Complex> shifted(Eigen::SparseMatrix<Complex> matrix, const Functions& area) {
-  for (Eigen::Index v = 0; v < area.size(); ++v) matrix.coeffRef(v, v) += kShift * area[v];
+  for (Eigen::Index v = 0; v < area.size(); ++v) matrix.coeffRef(v, v) += kFieldShift * area[v];
   return matrix;
 }
 
@@ -115,7 +109,7 @@ void require_factors(const SparseFactors<Complex>& factors) {
 
 VertexData<double> curvature(const Surface& surface, CurvatureKind kind, double radius,
                              const CancelToken& cancel) {
-  const VertexGeometry g(surface, cancel.every(kPieces));
+  const VertexGeometry g(surface, cancel.every(kPiecesPerPoll));
   Functions x = Functions::Zero(static_cast<Eigen::Index>(surface.vertex_count()));
   if (kind == CurvatureKind::kGaussian || kind == CurvatureKind::kAbsoluteGaussian) {
     CancelToken poll = g.poll();
@@ -130,25 +124,19 @@ VertexData<double> curvature(const Surface& surface, CurvatureKind kind, double 
     if (kind == CurvatureKind::kCurvedness) x = (t.mean.array().square() + t.difference.array().abs2()).sqrt();
   }
   if (kind == CurvatureKind::kAbsoluteGaussian || kind == CurvatureKind::kAbsoluteMean) x = x.cwiseAbs();
-  x = g.smoothed(x, kDiffusion * radius);
+  x = g.smoothed(x, kDiffusedLength * radius);
   return VertexData<double>(std::vector<double>(x.begin(), x.end()));
 }
 
 VertexData<Vec3> principal_directions(const Surface& surface, bool most, double radius,
                                       const CancelToken& cancel) {
-  const VertexGeometry g(surface, cancel.every(kPieces));
+  const VertexGeometry g(surface, cancel.every(kPiecesPerPoll));
   const Lines least = least_bending(g, radius);
-  // Where the surface bends equally in all directions only rounding would be left, and so would it where all of it
-  // bends by less than a thousandth of a radian: a plane in any other place than that of an axis. Lengths are in
-  // units of the diagonal.
-  constexpr double kNothing = 1e-7, kFlat = 1e-3 * 1e-3;
-  return g.to_space(most ? Lines(-least) : least, std::max(kNothing * mean_size(least), kFlat));
+  return g.to_space(most ? Lines(-least) : least, std::max(kUnbentOfMean * mean_size(least), kUnbent));
 }
 
 VertexData<Vec3> smoothest_directions(const Surface& surface, const CancelToken& cancel) {
-  constexpr int kMostIterations = 100;
-  constexpr double kSettled = 1e-6;  // change of a field of square mean 1
-  const VertexGeometry g(surface, cancel.every(kPieces));
+  const VertexGeometry g(surface, cancel.every(kPiecesPerPoll));
   const std::vector<uint32_t> component = components(surface);
   const Functions area = relative_area(g, component);
   const size_t count = surface.component_count();
@@ -159,33 +147,30 @@ VertexData<Vec3> smoothest_directions(const Surface& surface, const CancelToken&
   // least bending, with some of the x-axis, and a little noise, so that no start is orthogonal to the smoothest.
   Lines x = least_bending(g, 0);
   normalise(x, area, component, count);
-  constexpr double kAxis = 0.05, kNoise = 1e-3;
   uint64_t random = 1;
   CancelToken poll = g.poll();
   for (uint32_t v = 0; v < component.size(); ++v) {
     poll();
     if (component[v] == kNone) continue;
     random = random * 6364136223846793005u + 1442695040888963407u;
-    x[v] += kAxis * g.line_along(v, Vec3::UnitX()) +
-            polar(kNoise, 2 * std::numbers::pi * static_cast<double>(random >> 11) * 0x1p-53);
+    x[v] += kFieldAxis * g.line_along(v, Vec3::UnitX()) +
+            polar(kFieldNoise, 2 * std::numbers::pi * static_cast<double>(random >> 11) * 0x1p-53);
   }
   normalise(x, area, component, count);
-  for (int k = 0; k < kMostIterations; ++k) {
+  for (int k = 0; k < kMostFieldIterations; ++k) {
     Lines y = factors.solve(area.cast<Complex>().cwiseProduct(x), g.poll());
     normalise(y, area, component, count);
     const double change = area.dot((y - x).cwiseAbs2()) / static_cast<double>(count);
     x = std::move(y);
-    if (change < kSettled * kSettled) break;
+    if (change < kSettledField * kSettledField) break;
   }
   return g.to_space(x, 1e-9);
 }
 
 VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Stroke> strokes,
                                      const CancelToken& cancel) {
-  // How much stiffer a stroke of the length of an edge is than the field around it.
-  constexpr double kStiffness = 30;
-  constexpr size_t kSearch = 256;  // pieces of work that a search for the nearest point counts for
-  const VertexGeometry g(surface, cancel.every(kPieces));
+  constexpr size_t kPiecesPerSearch = 256;  // pieces of work that a search for the nearest point counts for
+  const VertexGeometry g(surface, cancel.every(kPiecesPerPoll));
   const std::vector<uint32_t> component = components(surface);
   const ClosestPoint closest(surface, g.poll());
   const double pitch = 0.5 * surface.mean_edge_length();
@@ -201,14 +186,14 @@ VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Str
       if (!(length > 0)) continue;
       const auto samples = static_cast<size_t>(std::ceil(length / pitch));
       for (size_t q = 0; q < samples; ++q) {
-        poll(kSearch);
+        poll(kPiecesPerSearch);
         const double at = (static_cast<double>(q) + 0.5) / static_cast<double>(samples);
         const SurfacePoint p = closest(stroke[k] + at * along).point;
         const Vec2 flat{along.dot(surface.to_space(p.face, {1, 0})), along.dot(surface.to_space(p.face, {0, 1}))};
         if (!(norm(flat) > 1e-3 * length)) continue;
         for (uint32_t c = 0; c < 3; ++c) {
           const auto v = static_cast<Eigen::Index>(surface.face(p.face)[c]);
-          const double w = kStiffness * p.weight(c) * length / static_cast<double>(samples) / (2 * pitch);
+          const double w = kStrokeStiffness * p.weight(c) * length / static_cast<double>(samples) / (2 * pitch);
           weight[v] += w;
           wish[v] += polar(w, 2 * g.angle_at_corner(p.face, c, flat));
         }
@@ -243,7 +228,7 @@ VertexData<Vec3> boundary_directions(const Surface& surface, const CancelToken& 
 
 VertexData<Vec3> turned_directions(const Surface& surface, const VertexData<Vec3>& lines,
                                    const VertexData<double>& angles, const CancelToken& cancel) {
-  const VertexGeometry g(surface, cancel.every(kPieces));
+  const VertexGeometry g(surface, cancel.every(kPiecesPerPoll));
   Lines turned(static_cast<Eigen::Index>(surface.vertex_count()));
   // A line is kept as the square of its vector, so it turns twice as far.
   for (uint32_t v = 0; v < surface.vertex_count(); ++v) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/eigen.h"
+#include "mesh/constants.h"
 #include "mesh/repairs.h"
 
 namespace meander {

@@ -8,26 +8,10 @@
 #include <vector>
 
 #include "mesh/aggregates.h"
+#include "mesh/constants.h"
 
 namespace meander {
 namespace {
-
-/// Cotangents are kept between these: obtuse corners would make the system indefinite, needles would stiffen it.
-constexpr double kLeastCotangent = 0, kMostCotangent = 20;
-
-/// The system is solved until this share of the first residual is left; what is left then is a few thousandths of the
-/// width.
-constexpr double kResidual = 1e-3;
-constexpr int kMostIterations = 500;
-
-/// Where the weights of an edge are no more than this share of the area of a vertex, damped Jacobi steps converge at
-/// once, and no coarser level is needed; nor for so few vertices.
-constexpr double kStiff = 2;
-constexpr uint32_t kFew = 64;
-
-/// Damped Jacobi steps before and after each coarser level, and at the coarsest.
-constexpr int kSteps = 1, kLastSteps = 6;
-constexpr double kDamping = 2.0 / 3;
 
 using Points = std::vector<Vec3>;
 
@@ -59,9 +43,9 @@ struct System {
 };
 
 bool is_stiff(const System& system) {
-  if (system.size() <= kFew) return false;
+  if (system.size() <= kCoarsestRows) return false;
   for (uint32_t i = 0; i < system.size(); ++i) {
-    if (system.diagonal[i] > (1 + kStiff) * system.excess[i]) return true;
+    if (system.diagonal[i] > (1 + kStiffWeights) * system.excess[i]) return true;
   }
   return false;
 }
@@ -116,7 +100,8 @@ class Multigrid {
   void relax(Level& level, int steps) {
     for (int step = 0; step < steps; ++step) {
       for_all(level.x.size(), [&](uint32_t i) {
-        level.next[i] = level.x[i] + kDamping / level.system.diagonal[i] * (level.b[i] - level.system.row(i, level.x));
+        const Vec3 left = level.b[i] - level.system.row(i, level.x);
+        level.next[i] = level.x[i] + kJacobiDamping / level.system.diagonal[i] * left;
       });
       level.x.swap(level.next);
     }
@@ -124,16 +109,16 @@ class Multigrid {
 
   void cycle(size_t k) {
     Level& level = levels_[k];
-    for_all(level.x.size(), [&](uint32_t i) { level.x[i] = kDamping / level.system.diagonal[i] * level.b[i]; });
-    if (k + 1 == levels_.size()) return relax(level, kLastSteps);
-    relax(level, kSteps - 1);
+    for_all(level.x.size(), [&](uint32_t i) { level.x[i] = kJacobiDamping / level.system.diagonal[i] * level.b[i]; });
+    if (k + 1 == levels_.size()) return relax(level, kCoarsestSteps);
+    relax(level, kHeatSteps - 1);
     for_all(level.x.size(), [&](uint32_t i) { level.next[i] = level.b[i] - level.system.row(i, level.x); });
     Level& coarse = levels_[k + 1];
     std::ranges::fill(coarse.b, Vec3::Zero());
     for (uint32_t i = 0; i < level.next.size(); ++i) coarse.b[level.group[i]] += level.next[i];
     cycle(k + 1);
     for_all(level.x.size(), [&](uint32_t i) { level.x[i] += coarse.x[level.group[i]]; });
-    relax(level, kSteps);
+    relax(level, kHeatSteps);
   }
 
   ThreadPool& pool_;
@@ -170,14 +155,14 @@ void solve(Multigrid& grid, const Points& b, Points& x, ThreadPool& pool) {
   p = z;
   Three rz = dot(r, z, pool);
   const Three first = dot(r, r, pool);
-  for (int k = 0; k < kMostIterations; ++k) {
+  for (int k = 0; k < kMostHeatIterations; ++k) {
     grid.for_all(n, [&](uint32_t i) { q[i] = grid.system().row(i, p); });
     const Three alpha = ratio(rz, dot(p, q, pool));
     grid.for_all(n, [&](uint32_t i) {
       x[i].array() += alpha * p[i].array();
       r[i].array() -= alpha * q[i].array();
     });
-    if ((dot(r, r, pool) <= kResidual * kResidual * first).all()) return;
+    if ((dot(r, r, pool) <= kHeatResidual * kHeatResidual * first).all()) return;
     grid.precondition(r, z);
     const Three next = dot(r, z, pool);
     const Three beta = ratio(next, rz);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/plane.h"
+#include "mesh/constants.h"
 
 namespace meander {
 
@@ -15,7 +16,6 @@ namespace meander {
 /// precision floating-point arithmetic and fast robust geometric predicates", 1997, its first bound): every flip then
 /// brings the triangulation nearer to Delaunay's, and flips come to an end.
 inline int in_circle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  constexpr double kCircleError = 1.1102230246251577e-15;
   const Vec2 p = a - d, q = b - d, r = c - d;
   const double pp = dot(p, p), qq = dot(q, q), rr = dot(r, r);
   const double qr[] = {q.x * r.y, q.y * r.x}, rp[] = {r.x * p.y, r.y * p.x}, pq[] = {p.x * q.y, p.y * q.x};

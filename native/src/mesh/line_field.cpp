@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "mesh/constants.h"
+
 namespace meander {
 
 Vec2 square_root(Vec2 square) {
@@ -18,8 +20,6 @@ Vec2 square_root(Vec2 square) {
 }
 
 LineField::LineField(const Surface& surface, const VertexData<Vec3>& directions, bool across) {
-  // Almost perpendicular to its face: what is left of a unit vector in the face's plane means nothing.
-  constexpr double kLeastTangential = 1e-3;
   std::vector<Vec2> square(3 * surface.face_count());
   bool any = false;
   for (uint32_t f = 0; f < surface.face_count(); ++f) {

@@ -8,21 +8,11 @@
 #include <vector>
 
 #include "mesh/aggregates.h"
+#include "mesh/constants.h"
 #include "mesh/vertex_data.h"
 
 namespace meander {
 namespace {
-
-/// So often lines become the means of their neighbours on each level, forwards and backwards; less often on the finest
-/// ones, on which most of the time goes, and where a little is left to do. Twelve everywhere: curves as even.
-constexpr int kSweeps = 6, kFineSweeps = 2;
-constexpr size_t kFineLevels = 2;
-
-/// Among fields that are equally smooth the x-axis decides: it counts as much as so large a share of the mean bending.
-constexpr double kAxis = 0.05;
-
-/// A line at a corner is the mean of those of at most this many faces around it, to either side.
-constexpr uint32_t kFan = 8;
 
 /// Faces between two asks.
 constexpr uint32_t kFacesPerPoll = 1024;
@@ -91,7 +81,7 @@ std::vector<Vec2> first_lines(const Surface& s, CancelToken& poll) {
     along[f] = bend * along[f];
     sum += norm(along[f]);
   }
-  const double axis = kAxis * (sum > 0 ? sum : 1) / s.area();
+  const double axis = kRelaxationAxis * (sum > 0 ? sum : 1) / s.area();
   for (uint32_t f = 0; f < s.face_count(); ++f) {
     along[f] = along[f] + axis * s.face_area(f) * squared(unit(s.to_plane(f, Vec3::UnitX())));
   }
@@ -103,7 +93,7 @@ Vec2 at_corner(const Surface& s, const std::vector<Vec2>& carried, const std::ve
                const VertexData<uint32_t>& faces, HalfEdge corner) {
   const uint32_t f = face_of(corner), v = s.face(f)[corner_of(corner)];
   const bool inside = !s.on_boundary(v);
-  const uint32_t steps = std::min(inside ? faces[v] / 2 : faces[v], kFan);
+  const uint32_t steps = std::min(inside ? faces[v] / 2 : faces[v], kMostFan);
   Vec2 sum = lines[f];
   for (const bool left : {true, false}) {
     Vec2 carry{1, 0};  // squares from the face that is reached to this one
@@ -178,7 +168,7 @@ LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, 
     std::vector<Vec2> finer(rows.size());
     for (size_t i = 0; i < rows.size(); ++i) finer[i] = pairs.carry[i] * lines[pairs.of[i]];
     lines = std::move(finer);
-    relax(rows, holds, shares_of_rows(rows, holds), k < kFineLevels ? kFineSweeps : kSweeps, lines, poll);
+    relax(rows, holds, shares_of_rows(rows, holds), k < kFineLevels ? kFineLineSweeps : kLineSweeps, lines, poll);
     // Means of lines that disagree are short, and those of such means would vanish.
     for (Vec2& line : lines) line = unit(line);
   }
@@ -198,7 +188,7 @@ LineField field_along_boundary(const Surface& surface, ThreadPool& pool) {
     shares[face_of(e)] = 0;
   }
   for (Vec2& line : lines) line = unit(line);
-  relax(edges, none, shares, kSweeps, lines, poll);
+  relax(edges, none, shares, kLineSweeps, lines, poll);
   std::vector<Vec2> squares;
   squares.reserve(3 * lines.size());
   for (const Vec2& line : lines) squares.insert(squares.end(), 3, line);

@@ -28,9 +28,9 @@ namespace meander {
 LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, ThreadPool& pool,
                         std::span<const Vec2> holding = {});
 
-/// Along the boundary in the faces beside it, and the mean of those in the faces between, as far as kSweeps faces away:
-/// for strips of a few faces across. No direction elsewhere. Every face has one line: between two legs of a zigzag that
-/// are a face or two long, means around corners would lie across both.
+/// Along the boundary in the faces beside it, and the mean of those in the faces between, as far as kLineSweeps
+/// faces away: for strips of a few faces across. No direction elsewhere. Every face has one line: between two legs of a
+/// zigzag that are a face or two long, means around corners would lie across both.
 LineField field_along_boundary(const Surface& surface, ThreadPool& pool);
 
 }  // namespace meander

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <map>
 
+#include "mesh/constants.h"
 #include "mesh/repairs.h"
 
 namespace meander {
 namespace {
-
-/// Where the mask's edge passes this near to a vertex, as a share of an edge, it goes through the
-/// vertex: the pieces of cut faces keep at least a tenth of their edges.
-constexpr double kSnap = 0.1;
 
 /// Cuts faces along the edge of a mask; heights are those over its threshold.
 class Clip {
@@ -54,8 +51,8 @@ class Clip {
         const uint32_t a = face[k], b = face[(k + 1) % 3];
         if (before[a] == kOn || before[b] == kOn || before[a] == before[b]) continue;
         const double t = height_[a] / (height_[a] - height_[b]);
-        if (t < kSnap) side_[a] = kOn;
-        if (t > 1 - kSnap) side_[b] = kOn;
+        if (t < kSnapToVertex) side_[a] = kOn;
+        if (t > 1 - kSnapToVertex) side_[b] = kOn;
       }
     }
   }

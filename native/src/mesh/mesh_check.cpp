@@ -10,6 +10,7 @@
 #include "base/disjoint_sets.h"
 #include "base/eigen.h"
 #include "base/failure.h"
+#include "mesh/constants.h"
 #include "mesh/mesh_map.h"
 
 namespace meander {

@@ -14,10 +14,6 @@
 
 namespace meander {
 
-/// A face has no area when its height over the longest side is below this share of the mesh's size. Twice the
-/// resolution of single precision would already refuse scans that look fine in Blender.
-inline constexpr double kFlatFace = 1e-8;
-
 /// No half-edge.
 inline constexpr uint32_t kNoTwin = UINT32_MAX;
 

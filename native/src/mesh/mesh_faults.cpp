@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "mesh/constants.h"
 #include "mesh/mesh_check.h"
 #include "mesh/repairs.h"
 #include "mesh/seams.h"

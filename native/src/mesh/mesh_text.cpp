@@ -9,15 +9,13 @@
 #include <system_error>
 
 #include "base/failure.h"
+#include "mesh/constants.h"
 
 namespace meander {
 namespace {
 
 /// Indices travel in 32 bits; a larger one cannot even be handed on to be refused.
 constexpr int64_t kIndexLimit = UINT32_MAX;
-
-/// How much of a line is quoted.
-constexpr size_t kQuoted = 40;
 
 bool is_end(char c) { return c == '\n' || c == '\r'; }
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
@@ -108,11 +106,11 @@ class Scanner {
   std::string quoted(size_t begin) const {
     size_t end = begin;
     while (end < text_.size() && !is_end(text_[end])) ++end;
-    std::string line(text_.substr(begin, std::min(end - begin, 4 * kQuoted)));
+    std::string line(text_.substr(begin, std::min(end - begin, 4 * kQuotedCharacters)));
     while (!line.empty() && is_blank(line.back())) line.pop_back();
     line.erase(0, std::min(line.find_first_not_of(" \t\v\f"), line.size()));
-    if (line.size() > kQuoted) {
-      size_t cut = kQuoted - 3;
+    if (line.size() > kQuotedCharacters) {
+      size_t cut = kQuotedCharacters - 3;
       while (cut > 0 && (static_cast<unsigned char>(line[cut]) & 0xC0) == 0x80) --cut;  // within a letter of UTF-8
       line = line.substr(0, cut) + "...";
     }

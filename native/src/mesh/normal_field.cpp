@@ -4,18 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/constants.h"
+
 namespace meander {
 namespace {
-
-/// Averaging passes over the one-ring; a pass spreads by about one edge length.
-constexpr double kMostPasses = 40;
-
-/// In r: a crease turns the normals of its faces up to so far from it.
-constexpr double kReach = 0.5;
-
-/// Cosines of how far the normal of a corner may lean on its face: a mesh is smooth where it is less than 10
-/// degrees, and creased where it is more than 20. Faces that meet at 30 degrees are halfway between.
-constexpr double kSmoothCorner = 0.985, kCreasedCorner = 0.940;
 
 Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
   const double n = v.norm();
@@ -36,7 +28,7 @@ void NormalField::find(CancelToken& poll) const {
   for (Vec3& n : normals_) n = unit_or(n, Vec3::Zero());
 
   const double edges = 0.5 * radius_ / surface.mean_edge_length();
-  const int passes = static_cast<int>(std::min(kMostPasses, std::floor(edges * edges)));
+  const int passes = static_cast<int>(std::min(kMostNormalPasses, std::floor(edges * edges)));
   for (int pass = 0; pass < passes; ++pass) {
     std::vector<Vec3> sum(normals_);
     for (uint32_t f = 0; f < surface.face_count(); ++f) {
@@ -76,7 +68,7 @@ Vec3 NormalField::beside_creases(uint32_t f, const std::array<double, 3>& w, con
     const HalfEdge edge = 3 * f + next_corner(k);
     const HalfEdge twin = surface_.twin(edge);
     const double height = 2 * surface_.face_area(f) / norm(surface_.along(edge));
-    away[k] = std::clamp(w[k] * height / (kReach * radius_), 0.0, 1.0);
+    away[k] = std::clamp(w[k] * height / (kNormalReach * radius_), 0.0, 1.0);
     folded[k] = twin == kNone ? flat : unit_or(flat + surface_.face_normal(face_of(twin)), flat);
   }
   Vec3 sum = away[0] * away[1] * away[2] * flat;

@@ -10,6 +10,7 @@
 #include "base/eigen.h"
 #include "base/elementary.h"
 #include "base/plane.h"
+#include "mesh/constants.h"
 #include "mesh/delaunay_flips.h"
 #include "mesh/repairs.h"
 

@@ -6,6 +6,7 @@
 
 #include "base/eigen.h"
 
+#include "mesh/constants.h"
 #include "mesh/doubled_polygons.h"
 #include "mesh/shared_places.h"
 

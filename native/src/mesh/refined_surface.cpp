@@ -5,20 +5,15 @@
 #include <utility>
 
 #include "base/failure.h"
+#include "mesh/constants.h"
 
 namespace meander {
-namespace {
-
-constexpr size_t kMostEdges = size_t{1} << 30;
-
-/// Edges that one division adds at most: half of the edge, and one in each face beside it; or those to three corners.
-constexpr size_t kNewEdges = 3;
-
-}  // namespace
 
 RefinedSurface::RefinedSurface(const Surface& surface, bool origins, CancelToken poll) {
   const size_t edges = (3 * surface.face_count() + surface.boundary().size()) / 2;
-  if (edges > kMostEdges) throw Failure(FailureKind::kOutOfMemory, "The surface has too many edges to be refined.");
+  if (edges > kMostRefinedEdges) {
+    throw Failure(FailureKind::kOutOfMemory, "The surface has too many edges to be refined.");
+  }
   mesh_.resize(surface.vertex_count(), edges, surface.face_count());
   positions_.reserve(surface.vertex_count());
   for (uint32_t v = 0; v < surface.vertex_count(); ++v) positions_.push_back(surface.position(v));
@@ -65,9 +60,9 @@ RefinedSurface::RefinedSurface(const Surface& surface, bool origins, CancelToken
 void RefinedSurface::reserve_divisions(size_t count) {
   positions_.reserve(positions_.size() + count);
   origins_.reserve(mesh_.n_faces() + 2 * count);
-  fixed_.reserve(mesh_.n_edges() + kNewEdges * count);
-  at_.reserve(2 * (mesh_.n_edges() + kNewEdges * count));
-  mesh_.reserve(mesh_.n_vertices() + count, mesh_.n_edges() + kNewEdges * count, mesh_.n_faces() + 2 * count);
+  fixed_.reserve(mesh_.n_edges() + kEdgesOfDivision * count);
+  at_.reserve(2 * (mesh_.n_edges() + kEdgesOfDivision * count));
+  mesh_.reserve(mesh_.n_vertices() + count, mesh_.n_edges() + kEdgesOfDivision * count, mesh_.n_faces() + 2 * count);
 }
 
 uint32_t RefinedSurface::add_vertex(const Vec3& position) {
@@ -76,7 +71,7 @@ uint32_t RefinedSurface::add_vertex(const Vec3& position) {
 }
 
 void RefinedSurface::check_numbers() const {
-  if (mesh_.n_edges() + kNewEdges <= kMostEdges) return;
+  if (mesh_.n_edges() + kEdgesOfDivision <= kMostRefinedEdges) return;
   throw Failure(FailureKind::kOutOfMemory, "The surface would have to be refined too far.");
 }
 

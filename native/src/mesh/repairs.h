@@ -11,7 +11,6 @@
 #include <span>
 #include <vector>
 
-#include "mesh/mesh_check.h"
 #include "mesh/soup.h"
 
 namespace meander {
@@ -48,8 +47,6 @@ void merge_vertices(Soup& soup, double distance, PrepareCounts& counts);
 // ------------------------------------------------------------------------------------------------
 // empty_faces.cpp: faces that add nothing to a surface
 
-/// Faces flatter than this, and edges shorter, are dissolved: somewhat more than check_mesh refuses.
-inline constexpr double kFlatForRepair = 4 * kFlatFace;
 /// Faces whose height over the longest side is not above a share of the soup's diagonal, rising.
 std::vector<uint32_t> faces_without_area(const Soup& soup, double share);
 /// Takes them out such that no slit is left: a short edge becomes a vertex; a face with a corner on its longest edge is

@@ -6,15 +6,11 @@
 #include <numbers>
 
 #include "base/elementary.h"
+#include "mesh/constants.h"
 #include "mesh/space_average.h"
 
 namespace meander {
 namespace {
-
-/// Cubes of the average, in r: about as wide a spread as that of a disc of 3.5 r. Hills about as wide as the spacing
-/// cancel out over that, while one hollow or limb on a smooth surface does not: with cubes of .85 r a displaced grid
-/// has a roughness of .5 in the median, and spot's nostrils have 2.5; with cubes of 3 r 1.5 and .9.
-constexpr double kRoughnessCubes = 3;
 
 /// The sum of angles around a vertex, as the product of as many unit vectors and the half turns that it has made.
 struct AngleSum {

@@ -9,14 +9,12 @@
 
 #include "base/disjoint_sets.h"
 #include "base/point_grid.h"
+#include "mesh/constants.h"
 #include "mesh/repairs.h"
 #include "mesh/sheets.h"
 
 namespace meander {
 namespace {
-
-/// Vertices as far apart as this share of the shortest edge at one of them are never one.
-constexpr double kNearest = 0.25;
 
 /// Per vertex its place: those near each other on the boundary share one, named by the lowest of them.
 std::vector<uint32_t> places_of(const FaceBoundary& boundary) {
@@ -81,7 +79,7 @@ FaceBoundary::FaceBoundary(std::span<const Eigen::Vector3d> at, std::span<const 
     vertices.push_back(v);
     points.push_back(positions[v] - positions[vertices[0]]);
     extent = std::max(extent, points.back().cwiseAbs().maxCoeff());
-    reach.push_back(std::min(distance, kNearest * shortest[v]));
+    reach.push_back(std::min(distance, kMostSeam * shortest[v]));
     farthest = std::max(farthest, reach.back());
   }
 }

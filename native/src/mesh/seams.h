@@ -35,9 +35,6 @@ struct FaceBoundary {
   FaceBoundary(Soup& soup, double distance);
 };
 
-/// From this turn (turn_at_edge) on faces lie on each other: they are two sheets, not one.
-inline constexpr double kOnEachOther = 1.99;
-
 /// Two half-edges that are one edge but for its name.
 struct Seam {
   uint32_t one = 0, other = 0;

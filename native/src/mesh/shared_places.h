@@ -12,11 +12,6 @@
 
 namespace meander {
 
-/// A share of the size of a mesh: vertices this near to each other are in one place, or to a plane in it. Single
-/// precision tells no less apart in a mesh that lies ten of its sizes from the origin, so that copies made or moved
-/// there differ by as much; the two sides of whatever has a thickness are farther from each other.
-inline constexpr double kOnePlace = 1e-6;
-
 /// Per vertex its place, named by the lowest vertex there; vertices that are not used are alone.
 ///
 /// distance   in the unit of the positions

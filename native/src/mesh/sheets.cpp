@@ -6,16 +6,13 @@
 #include <tuple>
 
 #include "base/disjoint_sets.h"
+#include "mesh/constants.h"
 #include "mesh/mesh_check.h"
 
 namespace meander {
 namespace {
 
 using Vec3 = Eigen::Vector3d;
-
-/// A turn (turn_at_edge) from which on faces wound alike are taken for a sheet that lies on itself: their normals are
-/// within 60 degrees of each other.
-constexpr double kFolded = 1.5;
 
 /// Half-edges as in edge_groups.h.
 class Sheeting {
@@ -158,7 +155,7 @@ void Sheeting::cut_folds(std::span<const uint32_t> faces) {
     for (uint32_t e = 3 * f; e < 3 * f + 3; ++e) {
       const uint32_t twin = twin_[e];
       if (twin == kNoTwin || from(e) != from(twin)) continue;
-      if (turn(e, twin, {from(e), to(faces_, e)}) >= kFolded) open(e);
+      if (turn(e, twin, {from(e), to(faces_, e)}) >= kFoldedTurn) open(e);
     }
   }
 }
@@ -237,8 +234,7 @@ double turn_at_edge(std::span<const Vec3> positions, const VertexPair& edge, uin
   const Vec3 &a = positions[edge[0]], &b = positions[edge[1]];
   const Vec3 along = (b - a).normalized();
   const auto away = [&](const Vec3& p) { return Vec3((p - a) - along.dot(p - a) * along).normalized(); };
-  constexpr double kResolution = 1e6;
-  return std::round((1 + away(positions[c]).dot(away(positions[d]))) * kResolution) / kResolution;
+  return std::round((1 + away(positions[c]).dot(away(positions[d]))) * kTurnResolution) / kTurnResolution;
 }
 
 Sheets find_sheets(Soup& soup, bool join_flattest) { return Sheeting(soup).find(join_flattest); }

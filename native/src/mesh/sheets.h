@@ -13,10 +13,6 @@
 
 namespace meander {
 
-/// Where more faces than this meet at an edge none of them stays joined there: finding out which continue each other
-/// takes time and memory with the square of their number.
-inline constexpr size_t kMostAtEdge = 200;
-
 /// What keeps faces from being a surface, and how they come apart there.
 struct Sheets {
   std::vector<uint32_t> fan;         ///< per corner 3 f + k: the lowest corner of its fan, which gets its own vertex

@@ -8,14 +8,11 @@
 #include "base/front_search.h"
 #include "base/segment_distance.h"
 #include "base/variation.h"
+#include "mesh/constants.h"
 #include "mesh/surface_point.h"
 
 namespace meander {
 namespace {
-
-/// The farthest two places of a strip with two ends are at least so far apart, over its length; those of a fork with
-/// three equal arms are at two thirds of that, and those of a ring at half.
-constexpr double kEndToEnd = 0.75;
 
 /// The vertices that share an edge with each.
 struct Neighbours {
@@ -59,12 +56,7 @@ Farthest farthest_from(const Surface& surface, const Neighbours& neighbours, con
   return found;
 }
 
-/// Of kPlaces places, spread over the area of a component, kMostDeep may be farther than kDeep widths from the boundary
-/// of a strip: no place of a strip is farther than half a width, none of a needle farther than one.
-constexpr uint32_t kPlaces = 64, kMostDeep = kPlaces / 4;
-constexpr double kDeep = 2;
-
-/// Places of each component that is a long strip by its area, as many in each kPlaces-th of that.
+/// Places of each component that is a long strip by its area, as many in each kStripPlaces-th of that.
 std::vector<std::vector<Vec3>> places_in(const Surface& surface, const std::vector<Strip>& strips,
                                          const std::vector<double>& area) {
   std::vector<std::vector<Vec3>> places(strips.size());
@@ -73,8 +65,8 @@ std::vector<std::vector<Vec3>> places_in(const Surface& surface, const std::vect
     const uint32_t k = surface.component(f);
     if (!strips[k].is_long()) continue;
     passed[k] += surface.face_area(f);
-    while (places[k].size() < kPlaces &&
-           (static_cast<double>(places[k].size()) + 0.5) * area[k] < kPlaces * passed[k]) {
+    while (places[k].size() < kStripPlaces &&
+           (static_cast<double>(places[k].size()) + 0.5) * area[k] < kStripPlaces * passed[k]) {
       const auto number = static_cast<uint32_t>(places[k].size());
       double u = number_of_variation(1, number), v = number_of_variation(2, number);
       if (u + v > 1) u = 1 - u, v = 1 - v;
@@ -88,14 +80,15 @@ std::vector<std::vector<Vec3>> places_in(const Surface& surface, const std::vect
 bool has_depth(const Surface& surface, const std::vector<Vec3>& places, const std::vector<HalfEdge>& boundary,
                double width) {
   uint32_t deep = 0;
-  for (uint32_t n = 0; n < places.size() && deep <= kMostDeep && deep + places.size() > kMostDeep + n; ++n) {
+  constexpr uint32_t kMost = kMostDeepPlaces;
+  for (uint32_t n = 0; n < places.size() && deep <= kMost && deep + places.size() > kMost + n; ++n) {
     deep += std::ranges::none_of(boundary, [&](HalfEdge e) {
       const Triangle& t = surface.face(face_of(e));
       const Vec3 &from = surface.position(t[corner_of(e)]), &to = surface.position(t[next_corner(corner_of(e))]);
-      return distance_to_segment(places[n], from, to) < kDeep * width;
+      return distance_to_segment(places[n], from, to) < kDeepInStrip * width;
     });
   }
-  return deep > kMostDeep;
+  return deep > kMost;
 }
 
 }  // namespace

@@ -7,12 +7,10 @@
 #include <limits>
 #include <vector>
 
+#include "mesh/constants.h"
 #include "mesh/surface.h"
 
 namespace meander {
-
-/// The least ratio of length to width of a strip.
-inline constexpr double kLeastStrip = 5;
 
 /// A component as the rectangle that has its area and its boundary; infinite where there is none, as of a disc.
 struct Strip {

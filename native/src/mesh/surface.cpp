@@ -19,7 +19,7 @@ namespace {
 double to_grid(double x) { return std::floor(x * 0x1p30 + 0.38196601125) * 0x1p-30; }
 
 /// Elements that are made between two asks: to touch memory for the first time costs more than what is put there.
-constexpr size_t kMade = size_t{1} << 16;
+constexpr size_t kElementsPerPoll = size_t{1} << 16;
 
 /// Gives a table a length.
 template <class Values>
@@ -27,7 +27,7 @@ void make(Values& values, size_t count, const CancelToken& poll) {
   values.reserve(count);
   while (values.size() < count) {
     poll.now();
-    values.resize(std::min(count, values.size() + kMade));
+    values.resize(std::min(count, values.size() + kElementsPerPoll));
   }
 }
 
@@ -37,7 +37,8 @@ void copy(const Values& from, Values& to, const CancelToken& poll) {
   while (to.size() < from.size()) {
     poll.now();
     const auto begin = from.begin() + static_cast<std::ptrdiff_t>(to.size());
-    to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(std::min(kMade, from.size() - to.size())));
+    const size_t some = std::min(kElementsPerPoll, from.size() - to.size());
+    to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(some));
   }
 }
 

@@ -6,23 +6,13 @@
 #include <utility>
 
 #include "base/eigen.h"
+#include "mesh/constants.h"
 #include "mesh/heat_flow.h"
 #include "mesh/roughness.h"
 #include "mesh/space_average.h"
 
 namespace meander {
 namespace {
-
-/// Up to this roughness, in radians, nothing is smoothed: no surface whose edges, corners, limbs and hollows are clean
-/// comes near to it. At kHalf more the Gaussian is half as wide as it is at the most, in r.
-///
-/// Widths of .5, .6, .7 and .8 r, each at any roughness above 2: reliefs with an amplitude of a third of r settle from
-/// .5 on, those with .9 r from .6 on, and after 196 iterations from .7 on; on a displaced grid of 200 x 200 faces .7
-/// takes .02 from the evenness as it is, and .35 does not settle (docs/rough_surfaces.md).
-constexpr double kSmooth = 1, kHalf = 0.4, kWidth = 0.75;
-
-/// Cubes of the average of areas, in r.
-constexpr double kAreaCubes = 1;
 
 constexpr uint32_t kVerticesPerPoll = 1u << 16;
 
@@ -32,7 +22,6 @@ double doubled_area(const Triangle& t, const VertexData<Vec3>& p) {
 
 /// Takes the corners of faces that have lost their area back towards where they were, until none has.
 void keep_areas(const Surface& surface, VertexData<Vec3>& positions, CancelToken poll) {
-  constexpr int kHalvings = 40;
   for (int attempt = 0;; ++attempt) {
     std::vector<uint8_t> back(positions.size(), 0);
     bool any = false;
@@ -46,7 +35,7 @@ void keep_areas(const Surface& surface, VertexData<Vec3>& positions, CancelToken
     for (uint32_t v = 0; v < positions.size(); ++v) {
       if (!back[v]) continue;
       const Vec3& given = surface.position(v);
-      positions[v] = attempt < kHalvings ? Surface::on_grid(0.5 * (positions[v] + given)) : given;
+      positions[v] = attempt < kMostHalvings ? Surface::on_grid(0.5 * (positions[v] + given)) : given;
     }
   }
 }
@@ -89,12 +78,12 @@ SurfaceAtScale at_scale(std::shared_ptr<const Surface> given, const RadiusField&
   SurfaceAtScale result{given, {}, {}};
   if (followed >= 1) return result;
   const CancelToken poll = pool.poll(kVerticesPerPoll);
-  const VertexData<double> rough = roughness(*given, radius, kSmooth, poll);
+  const VertexData<double> rough = roughness(*given, radius, kSmoothRoughness, poll);
   if (rough.empty()) return result;
   VertexData<double> width(rough.size(), 0);  // in r
   for (uint32_t v = 0; v < width.size(); ++v) {
-    const double above = std::max(0.0, rough[v] - kSmooth);
-    width[v] = (1 - followed) * kWidth * above / (above + kHalf);
+    const double above = std::max(0.0, rough[v] - kSmoothRoughness);
+    width[v] = (1 - followed) * kSmoothingWidth * above / (above + kHalfwayRoughness);
   }
   result.roughness.mean = mean_over(*given, rough);
   result.roughness.smoothing = mean_over(*given, width);

@@ -5,14 +5,10 @@
 
 #include <algorithm>
 
+#include "mesh/constants.h"
 #include "mesh/surface.h"
 
 namespace meander {
-
-/// Points keep this distance (in barycentric coordinates) from the edges of their face, and crossings
-/// of edges from the ends of the edge. So the curve is in general position: it has no node on an edge
-/// and never runs through a vertex, and a path across faces is a plain list of edges.
-inline constexpr double kClearance = 0x1p-30;
 
 /// A point strictly inside `face`, with weights (1 - b.x - b.y, b.x, b.y) of its corners; the weights
 /// are multiples of kGrain, so that their sum is exact.

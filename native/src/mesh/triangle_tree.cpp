@@ -7,18 +7,13 @@
 #include <optional>
 
 #include "base/eigen.h"
+#include "mesh/constants.h"
 
 namespace meander {
 namespace {
 
 using Vec3 = Eigen::Vector3d;
 using Weights = std::array<double, 3>;
-
-/// From farther away than this all triangles are seen from the same direction, as far as doubles tell.
-constexpr double kFarAway = 0x1p30;
-/// A bound on what rounding does to a distance, for each unit of the coordinates: more is allowed for, so that what is
-/// found depends on no box.
-constexpr double kRounding = 0x1p-48;
 
 /// Weights of the point of a triangle nearest to q (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
 Weights nearest_weights(const TriangleTree::Corners& corners, const Vec3& q) {
@@ -181,7 +176,7 @@ void TriangleTree::lay_out(const std::vector<Centre>& centres, Node& leaf, const
 /// One walk down the tree, the nearer child first.
 class TriangleTree::Search {
  public:
-  Search(const TriangleTree& tree, const Vec3& q) : tree_(tree), q_(q), rounding_(kRounding * (1 + q.norm())) {}
+  Search(const TriangleTree& tree, const Vec3& q) : tree_(tree), q_(q), rounding_(kTreeRounding * (1 + q.norm())) {}
 
   Nearest run() {
     visit(0, 0);
@@ -228,7 +223,7 @@ class TriangleTree::Search {
       weights_ = w;
       nearest_ = p;
       const double farthest = std::sqrt(d) + rounding_;
-      bound_ = farthest * farthest * (1 + kRounding);
+      bound_ = farthest * farthest * (1 + kTreeRounding);
     }
   }
 
@@ -243,12 +238,12 @@ class TriangleTree::Search {
 
 TriangleTree::Nearest TriangleTree::nearest(const Vec3& q) const {
   const double farthest = q.cwiseAbs().maxCoeff();
-  if (farthest <= kFarAway) return Search(*this, q).run();
+  if (farthest <= kFarFromTriangles) return Search(*this, q).run();
   // Squares of such lengths may be no doubles. Infinite coordinates count more than all others.
   const auto towards = [&](double x) {
     return std::isfinite(farthest) ? x / farthest : (std::isinf(x) ? std::copysign(1.0, x) : 0.0);
   };
-  Search search(*this, kFarAway * q.unaryExpr(towards));
+  Search search(*this, kFarFromTriangles * q.unaryExpr(towards));
   Nearest place = search.run();
   place.distance = std::isfinite(farthest) ? (q - search.nearest()).stableNorm() : farthest;
   return place;

@@ -7,13 +7,11 @@
 
 #include "base/eigen.h"
 #include "base/failure.h"
+#include "mesh/constants.h"
 #include "mesh/sparse_factors.h"
 
 namespace meander {
 namespace {
-
-/// Weights of edges between obtuse faces may be negative, and would make the Laplacian indefinite.
-constexpr double kLeastWeight = 1e-3;
 
 Eigen::Index index(uint32_t v) { return static_cast<Eigen::Index>(v); }
 
@@ -110,7 +108,7 @@ void VertexGeometry::find_edges() {
     const double back = angle_[3 * f + l] + scale_[to] * surface_.corner_angle(f, l);
     const double weight = 0.5 * (cotangent(e) + (other != kNone ? cotangent(other) : 0));
     // A line is its own opposite, so the half turn between the two views of the edge drops out.
-    edges_.push_back({from, to, std::max(weight, kLeastWeight), polar(1.0, 2 * (back - angle_[e]))});
+    edges_.push_back({from, to, std::max(weight, kLeastEdgeWeight), polar(1.0, 2 * (back - angle_[e]))});
   }
 }
 
