@@ -58,6 +58,7 @@ from .binding.files import (
     text_rows,
     triangulated,
 )
+from .binding.finding import Findings
 from .binding.flow import Flow
 from .binding.flow_options import FlowOptions, default_options, option_warnings
 from .binding.maps import CutPlaces, MapPixels, cut_places, map_pixels
@@ -97,6 +98,7 @@ __all__ = [
     "CutSurface",
     "Extent",
     "Faults",
+    "Findings",
     "Flow",
     "FlowOptions",
     "Gaps",

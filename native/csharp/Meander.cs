@@ -239,6 +239,9 @@ namespace Meander
         public static extern Status meander_flow_find_gaps(IntPtr flow, double least_size, [In, Out] Gaps gaps, IntPtr context, [In, Out] Error error);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status meander_flow_start_finding(IntPtr flow, [In, Out] Polylines polylines, [In, Out] PointData point_data, [In, Out] FlowStatistics statistics, [In, Out] Gaps gaps, double least_size, [In, Out] Polylines drawn, [In, Out] PointData drawn_data, double tolerance, IntPtr context, [In, Out] Error error);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status meander_cut_init([In, Out] Cut cut, UIntPtr struct_size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -17,11 +17,13 @@ from .abi import (
     PointDataRecord,
     PointParts,
     PolylinesRecord,
+    Status,
 )
-from .calls import Found, call, figures_of, prepared
-from .choices import STOP_REASONS
+from .calls import Found, call, figures_of, prepared, raise_error
 from .context import Context, pointer_of
 from .curve import Gaps, Nodes, PointData, Polylines, polylines_of
+from .errors import MeanderError
+from .finding import Findings, Search, gaps_of, point_data_of, statistics_of
 from .flow_options import FlowOptions, options_record
 from .handle import address_of, checked_array
 from .named import number_of
@@ -42,6 +44,8 @@ class Flow(FlowRun):
     Raises MeanderError for options out of range, a density of the wrong length or sign, and a seed
     that is off the surface, crosses or touches itself, or is too short.
     """
+
+    _search: Search | None = None  # that has been begun
 
     def set_vertices(self, vertices: ArrayLike) -> None:
         """Moves the vertices of the flow's surface, and the curve with it; see the C header.
@@ -106,10 +110,7 @@ class Flow(FlowRun):
         record = prepared(FlowStatisticsRecord)
         with self._use() as pointer, pointer_of(None) as cancelling:
             call(native().meander_flow_compute_statistics, pointer, byref(record), cancelling)
-        values = figures_of(record)
-        values["stop_reason"] = STOP_REASONS[record.stop_reason]
-        values["polishing"] = bool(record.polishing)
-        return values
+        return statistics_of(record)
 
     def history(self) -> list[dict[str, int | float]]:
         """One record per iteration, oldest first, named as in meander_iteration.
@@ -163,13 +164,13 @@ class Flow(FlowRun):
         """What is known of every point of `polylines()`, in their order. Costs a medial axis."""
         found = Found(PointDataRecord)
         with self._use() as pointer, pointer_of(None) as cancelling:
-            count = found.fill(
+            found.fill(
                 native().meander_flow_compute_point_data,
                 pointer,
                 PointParts.ALL,
                 context=(cancelling,),
-            ).count
-        return _point_data_of(found, count)
+            )
+        return point_data_of(found)
 
     def rounded(
         self, tolerance: float, context: Context | None = None
@@ -186,16 +187,16 @@ class Flow(FlowRun):
         found, data = Found(PolylinesRecord), Found(PointDataRecord)
         with self._use() as pointer, pointer_of(context) as cancelling:
             try:
-                count = data.fill(
+                data.fill(
                     native().meander_flow_round_curve,
                     pointer,
                     number_of("tolerance", tolerance),
                     byref(found.record),
                     context=(cancelling,),
-                ).count
+                )
             finally:
                 found.own()
-        of_points = _point_data_of(data, count)
+        of_points = point_data_of(data)
         return polylines_of(found, of_points.normals), of_points
 
     def gaps(self, least_size: float = 0.0, context: Context | None = None) -> Gaps:
@@ -211,31 +212,42 @@ class Flow(FlowRun):
         """
         found = Found(GapsRecord)
         with self._use() as pointer, pointer_of(context) as cancelling:
-            record = found.fill(
+            found.fill(
                 native().meander_flow_find_gaps,
                 pointer,
                 number_of("least size", least_size),
                 context=(cancelling,),
             )
-        count = record.count
-        return Gaps(
-            found.array("positions", count, 3),
-            found.array("radii", count),
-            found.array("sizes", count),
-            found.array("faces", count),
-            found.array("narrow", count).astype(bool),
-            record.empty_share,
-            record.narrow_share,
-        )
+        return gaps_of(found)
 
+    def start_finding(
+        self, gaps: bool = True, tolerance: float = 0.0, context: Context | None = None
+    ) -> None:
+        """Begins to find all that is told of the present curve, on a thread of the library's, and
+        returns at once; with one medial axis, where the calls for one thing each need one each.
 
-def _point_data_of(found: Found, count: int) -> PointData:
-    """Data of all parts as the library has handed them out."""
-    return PointData(
-        found.array("arc_lengths", count),
-        found.array("normals", count, 3),
-        found.array("tangents", count, 3),
-        found.array("radii", count, 2),
-        found.array("faces", count),
-        found.array("barycentrics", count, 3),
-    )
+        gaps        whether what it leaves empty is asked for
+        tolerance   of `rounded`, which is asked for where this is not 0
+        context     shows how far it is, and where it is cancelled, `found` raises
+
+        Until `found`, everything but `running`, `found` and `close` raises MeanderError.
+        """
+        search = Search(gaps, number_of("tolerance", tolerance))
+        function = native().meander_flow_start_finding
+        self._begin(function, *search.arguments(), context=context, at_end=search.own)
+        self._search = search
+
+    def found(self) -> Findings:
+        """Waits for what `start_finding` has begun; raises what went wrong in it.
+
+        An interruption from the keyboard cancels it. Raises MeanderError also where nothing has
+        been begun.
+        """
+        with self._use() as pointer:
+            search, self._search = self._search, None
+            status, error = self._waited(pointer)
+        if status != Status.OK:
+            raise_error(status, error)
+        if search is None:
+            raise MeanderError("the flow has run, and has found nothing; call start_finding first")
+        return search.findings()

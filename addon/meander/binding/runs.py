@@ -183,13 +183,26 @@ class FlowRun(Handle):
         Until `wait`, everything but `running`, `preview`, `wait` and `close` raises MeanderError.
         The context may be closed meanwhile, but then the run can only be ended by `close`.
         """
-        function = native().meander_flow_start
+        self._begin(native().meander_flow_start, context=context)
+
+    def _begin(
+        self,
+        function: Callable[..., int],
+        *arguments: Any,
+        context: Context | None,
+        at_end: Callable[[], None] = lambda: None,
+    ) -> None:
+        """Begins what the flow then belongs to.
+
+        at_end   is called after its end has been waited for; holds what is used until then
+        """
         with self._use() as pointer, ExitStack() as run:
+            run.callback(at_end)
             # One of its own too: an interrupted wait cancels it.
             given = run.enter_context(Context()) if context is None else context
             refuse_other("context", given, Context, "make one, or leave it out")
             cancel = run.enter_context(given._use_in_call())
-            call(function, pointer, cancel._as_parameter_)
+            call(function, pointer, *arguments, cancel._as_parameter_)
             self._cancel = cancel.now
             self._run = run.pop_all()  # in use until the end has been waited for
             # The interpreter must not go while the library computes; no other thread of Python's
@@ -210,14 +223,18 @@ class FlowRun(Handle):
         An interruption from the keyboard cancels the run. Raises MeanderError also when no run has
         been started since the last wait.
         """
+        with self._use() as pointer:
+            return self._reason(pointer, *self._waited(pointer))
+
+    def _waited(self, pointer: int) -> tuple[int, ErrorRecord]:
         error = new_error()
-        with self._use() as pointer, self._run:
+        with self._run:
             self._finalizer.atexit = False
 
             status = heard(
                 lambda: native().meander_flow_wait(pointer, byref(error)), self._cancel
             )
-            return self._reason(pointer, status, error)
+        return status, error
 
     def keep_growth(self, length_step: float, point_limit: int) -> None:
         """Has started runs keep copies of the growing curve, for `preview`; see the C header.

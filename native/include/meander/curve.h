@@ -188,6 +188,33 @@ MEANDER_API meander_status meander_flow_find_gaps(meander_flow* flow, double lea
                                                   meander_gaps* gaps, meander_context* context,
                                                   meander_error* error);
 
+/* ------------------------------------------------------------------------------------------ */
+/* Flow: all of that, in the background                                                         */
+
+/* Begins to find what is told of the present curve on a thread of the library, and returns at once, as
+ * meander_flow_start does: until meander_flow_wait the flow belongs to the search. The same as the calls that
+ * find one thing each give, with one medial axis for all. Each struct is prepared by its _init function, or NULL
+ * where that is not asked for. They are the search's until meander_flow_wait, and filled when that returns
+ * MEANDER_STATUS_OK; else they stay as they are. meander_flow_destroy before that fills them or does not.
+ *
+ * polylines    receives the curve, see meander_flow_get_polylines
+ * point_data   receives all data of its points, see meander_flow_compute_point_data
+ * statistics   receives its figures, see meander_flow_compute_statistics
+ * gaps         receives the places that it leaves empty, of least_size; see meander_flow_find_gaps
+ * least_size   in local r, from 1 to 1e6; 0: 1.2
+ * drawn        receives the curve as it is drawn, see meander_flow_round_curve
+ * drawn_data   receives the data of its points; nothing where drawn is NULL
+ * tolerance    of that line, from 0 to .5 of the spacing
+ * context      NULL, or a context, which cancels the search and shows its progress
+ * returns      what keeps the search from beginning; meander_flow_wait reports what happens in it */
+MEANDER_API meander_status meander_flow_start_finding(meander_flow* flow, meander_polylines* polylines,
+                                                      meander_point_data* point_data,
+                                                      meander_flow_statistics* statistics,
+                                                      meander_gaps* gaps, double least_size,
+                                                      meander_polylines* drawn,
+                                                      meander_point_data* drawn_data, double tolerance,
+                                                      meander_context* context, meander_error* error);
+
 #ifdef __cplusplus
 }
 #endif

@@ -4,9 +4,8 @@
 #include <array>
 
 #include "api/caller_mesh.h"
+#include "api/found.h"
 #include "api/guard.h"
-#include "api/results.h"
-#include "outputs/polylines.h"
 
 using namespace meander;
 
@@ -40,21 +39,29 @@ NodeArrays nodes_of(const Flow& flow, const MeshMap* map) {
 
 }  // namespace
 
+Ready<meander_polylines> meander::ready_polylines(Polylines lines) {
+  return ready<meander_polylines>(std::move(lines), [](const Polylines& made, meander_polylines& p) {
+    p.point_count = made.point_count();
+    p.strand_count = made.closed.size();
+    point_to(p.positions, made.positions);
+    point_to(p.offsets, made.offsets);
+    point_to(p.closed, made.closed);
+    point_to(p.guides, made.guides);
+  });
+}
+
+Ready<meander_polylines> meander::ready_polylines(const meander_flow& handle) {
+  Polylines copy;
+  copy.copy_from(handle.flow->surface(), handle.flow->curve());
+  return ready_polylines(std::move(copy));
+}
+
 meander_status meander_flow_get_polylines(const meander_flow* flow, meander_polylines* polylines,
                                           meander_error* error) {
   return guard(error, [&] {
     require_idle(flow);
     require_struct(polylines);
-    Polylines copy;
-    copy.copy_from(flow->flow->surface(), flow->flow->curve());
-    hand_out(polylines, std::move(copy), [](const Polylines& lines, meander_polylines& p) {
-      p.point_count = lines.point_count();
-      p.strand_count = lines.closed.size();
-      point_to(p.positions, lines.positions);
-      point_to(p.offsets, lines.offsets);
-      point_to(p.closed, lines.closed);
-      point_to(p.guides, lines.guides);
-    });
+    ready_polylines(*flow).hand_out(polylines);
   });
 }
 

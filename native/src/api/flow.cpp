@@ -7,6 +7,7 @@
 
 #include "api/caller_mesh.h"
 #include "api/flow_options.h"
+#include "api/found.h"
 #include "api/guard.h"
 #include "api/seed.h"
 
@@ -50,8 +51,10 @@ void check_size(const Surface& surface, const FlowSettings& s, const DensityAt& 
   }
 }
 
-meander_stop_reason public_reason(StopReason reason) {
-  switch (reason) {
+}  // namespace
+
+meander_stop_reason meander::stop_reason_of(const Flow& flow) {
+  switch (flow.stop_reason()) {
     case StopReason::kRunning: return MEANDER_STOP_REASON_RUNNING;
     case StopReason::kConverged: return MEANDER_STOP_REASON_CONVERGED;
     case StopReason::kIterationLimit: return MEANDER_STOP_REASON_ITERATION_LIMIT;
@@ -60,8 +63,6 @@ meander_stop_reason public_reason(StopReason reason) {
   }
   return MEANDER_STOP_REASON_RUNNING;
 }
-
-}  // namespace
 
 meander_status meander_flow_create(const meander_surface* surface, const meander_seed* seed, const double* density,
                                    size_t density_count, const meander_flow_options* options, meander_flow** flow,
@@ -148,5 +149,5 @@ meander_status meander_flow_set_options(meander_flow* flow, const meander_flow_o
 
 meander_stop_reason meander_flow_stop_reason(const meander_flow* flow) {
   if (!flow || flow->job.started()) return MEANDER_STOP_REASON_RUNNING;
-  return public_reason(flow->flow->stop_reason());
+  return stop_reason_of(*flow->flow);
 }

@@ -4,9 +4,8 @@
 #include "outputs/gaps.h"
 
 #include "api/caller_mesh.h"
+#include "api/found.h"
 #include "api/guard.h"
-#include "api/results.h"
-#include "outputs/polylines.h"
 
 using namespace meander;
 
@@ -55,28 +54,36 @@ GapArrays in_terms_of_the_caller(const Gaps& gaps, const Surface& surface, const
 
 }  // namespace
 
+double meander::least_size_of(double given) {
+  if (given == 0) return kGapSize;
+  require_range(given, 1, 1e6, "least_size (in units of the local r)");
+  return given;
+}
+
+Ready<meander_gaps> meander::ready_gaps(const meander_flow& handle, const Gaps& found) {
+  return ready<meander_gaps>(in_terms_of_the_caller(found, handle.flow->surface(), handle.map.get()),
+                             [](const GapArrays& arrays, meander_gaps& g) {
+    g.count = arrays.sizes.size();
+    point_to(g.positions, arrays.positions);
+    point_to(g.radii, arrays.radii);
+    point_to(g.sizes, arrays.sizes);
+    point_to(g.faces, arrays.faces);
+    g.empty_share = arrays.empty.wide;
+    g.narrow_share = arrays.empty.narrow;
+    point_to(g.narrow, arrays.narrow);
+  });
+}
+
 meander_status meander_flow_find_gaps(meander_flow* flow, double least_size, meander_gaps* gaps,
                                       meander_context* context, meander_error* error) {
   return guard(error, [&] {
     require_idle(flow);
     require_struct(gaps);
-    if (least_size != 0) require_range(least_size, 1, 1e6, "least_size (in units of the local r)");
+    const double least = least_size_of(least_size);
     check_cancelled(context);
-    Flow& f = *flow->flow;
     const LentProgress lent(context);
-    GapArrays found =
-        in_terms_of_the_caller(find_gaps(f, least_size != 0 ? least_size : kGapSize, cancel_of(context), lent.share()),
-                               f.surface(), flow->map.get());
+    Ready<meander_gaps> found = ready_gaps(*flow, find_gaps(*flow->flow, least, cancel_of(context), lent.share()));
     check_cancelled(context);
-    hand_out(gaps, std::move(found), [](const GapArrays& arrays, meander_gaps& g) {
-      g.count = arrays.sizes.size();
-      point_to(g.positions, arrays.positions);
-      point_to(g.radii, arrays.radii);
-      point_to(g.sizes, arrays.sizes);
-      point_to(g.faces, arrays.faces);
-      g.empty_share = arrays.empty.wide;
-      g.narrow_share = arrays.empty.narrow;
-      point_to(g.narrow, arrays.narrow);
-    });
+    found.hand_out(gaps);
   });
 }

@@ -3,9 +3,8 @@
 // Data of every point of the curve.
 #include "outputs/point_data.h"
 
+#include "api/found.h"
 #include "api/guard.h"
-#include "api/results.h"
-#include "outputs/polylines.h"
 
 using namespace meander;
 
@@ -14,15 +13,12 @@ namespace {
 /// Of the surface, between two asks.
 constexpr uint32_t kFaces = 4096;
 
-struct DataArrays {
-  size_t count = 0;
-  std::vector<double> arc_lengths, normals, tangents, radii, weights;
-  std::vector<uint32_t> faces;
-};
+}  // namespace
 
-DataArrays data_of(const Flow& flow, const MeshMap* map, meander_point_parts parts) {
-  DataArrays made;
-  made.count = polyline_point_count(flow.curve());
+PointValues meander::point_values(const meander_flow& handle, const Curve& curve, const NodeData<uint32_t>* origin,
+                                  meander_point_parts parts) {
+  PointValues made;
+  made.count = polyline_point_count(curve);
   const auto room = [&](auto& values, meander_point_parts part, size_t columns) {
     if (!(parts & part)) return decltype(values.data()){};
     values.resize(columns * made.count);
@@ -35,11 +31,21 @@ DataArrays data_of(const Flow& flow, const MeshMap* map, meander_point_parts par
   arrays.radii = room(made.radii, MEANDER_POINT_PARTS_RADII, 2);
   arrays.faces = room(made.faces, MEANDER_POINT_PARTS_PLACES, 1);
   arrays.barycentrics = room(made.weights, MEANDER_POINT_PARTS_PLACES, 3);
-  write_point_data(flow, flow.curve(), nullptr, map, arrays);
+  write_point_data(*handle.flow, curve, origin, handle.map.get(), arrays);
   return made;
 }
 
-}  // namespace
+Ready<meander_point_data> meander::ready_point_data(PointValues values) {
+  return ready<meander_point_data>(std::move(values), [](const PointValues& made, meander_point_data& data) {
+    data.count = made.count;
+    point_to(data.arc_lengths, made.arc_lengths);
+    point_to(data.normals, made.normals);
+    point_to(data.tangents, made.tangents);
+    point_to(data.radii, made.radii);
+    point_to(data.faces, made.faces);
+    point_to(data.barycentrics, made.weights);
+  });
+}
 
 meander_status meander_flow_compute_point_data(meander_flow* flow, meander_point_parts parts,
                                                meander_point_data* point_data, meander_context* context,
@@ -54,14 +60,6 @@ meander_status meander_flow_compute_point_data(meander_flow* flow, meander_point
     if (parts & MEANDER_POINT_PARTS_RADII) f.update_radii(cancel);
     if (parts & MEANDER_POINT_PARTS_NORMALS) f.normals().prepare(cancel.every(kFaces));
     check_cancelled(context);
-    hand_out(point_data, data_of(f, flow->map.get(), parts), [](const DataArrays& made, meander_point_data& data) {
-      data.count = made.count;
-      point_to(data.arc_lengths, made.arc_lengths);
-      point_to(data.normals, made.normals);
-      point_to(data.tangents, made.tangents);
-      point_to(data.radii, made.radii);
-      point_to(data.faces, made.faces);
-      point_to(data.barycentrics, made.weights);
-    });
+    ready_point_data(point_values(*flow, f.curve(), nullptr, parts)).hand_out(point_data);
   });
 }

@@ -26,18 +26,41 @@ struct OwnedResult final : meander_result {
   Found found;
 };
 
-/// Fills a struct of the caller's, after require_struct. `point` sets counts and pointers to what has been found.
+/// What is to be handed out in a struct, and cannot fail any more.
+template <class Struct>
+struct Ready {
+  Struct arrays{};
+  std::unique_ptr<meander_result> owner;
+
+  /// Fills a struct of the caller's, after require_struct.
+  void hand_out(Struct* given) noexcept {
+    arrays.result = owner.release();
+    write_struct(given, arrays);
+  }
+};
+
+/// `point` sets counts and pointers to what has been found.
+template <class Struct, class Found, class Point>
+Ready<Struct> ready(std::unique_ptr<OwnedResult<Found>> owner, Point&& point) noexcept {
+  Ready<Struct> made;
+  point(owner->found, made.arrays);
+  made.owner = std::move(owner);
+  return made;
+}
+
+template <class Struct, class Found, class Point>
+Ready<Struct> ready(Found found, Point&& point) {
+  return ready<Struct>(std::make_unique<OwnedResult<Found>>(std::move(found)), point);
+}
+
 template <class Struct, class Found, class Point>
 void hand_out(Struct* given, std::unique_ptr<OwnedResult<Found>> owner, Point&& point) noexcept {
-  Struct arrays{};
-  point(owner->found, arrays);
-  arrays.result = owner.release();
-  write_struct(given, arrays);
+  ready<Struct>(std::move(owner), point).hand_out(given);
 }
 
 template <class Struct, class Found, class Point>
 void hand_out(Struct* given, Found found, Point&& point) {
-  hand_out(given, std::make_unique<OwnedResult<Found>>(std::move(found)), point);
+  ready<Struct>(std::move(found), point).hand_out(given);
 }
 
 /// The values of a list, or lists of a fixed number of them, as the header has them; NULL for none.

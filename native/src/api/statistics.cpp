@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The figures of a flow, and its history.
-#include "outputs/statistics.h"
-
 #include <algorithm>
 #include <cstring>
 
+#include "api/found.h"
 #include "api/guard.h"
-#include "api/structs.h"
 
 using namespace meander;
 
@@ -43,12 +41,13 @@ void add_start(const StartReport& start, meander_flow_statistics& figures) {
   figures.completed_parts = start.completed;
 }
 
-meander_flow_statistics callers_figures(const meander_flow& handle, const CancelToken& cancel) {
-  Flow& flow = *handle.flow;
+}  // namespace
+
+meander_flow_statistics meander::ready_statistics(const meander_flow& handle, const Statistics& s) {
+  const Flow& flow = *handle.flow;
   const double scale = flow.surface().scale();
-  const Statistics s = statistics_of(flow, cancel);
   meander_flow_statistics figures{};
-  figures.stop_reason = meander_flow_stop_reason(&handle);
+  figures.stop_reason = stop_reason_of(flow);
   figures.iterations = static_cast<uint32_t>(flow.history().size());
   figures.nodes = flow.curve().size();
   figures.crossings = static_cast<uint32_t>(std::min<size_t>(s.crossings, UINT32_MAX));
@@ -75,15 +74,13 @@ meander_flow_statistics callers_figures(const meander_flow& handle, const Cancel
   return figures;
 }
 
-}  // namespace
-
 meander_status meander_flow_compute_statistics(meander_flow* flow, meander_flow_statistics* statistics,
                                                meander_context* context, meander_error* error) {
   return guard(error, [&] {
     require_idle(flow);
     require_struct(statistics);
     check_cancelled(context);
-    const meander_flow_statistics figures = callers_figures(*flow, cancel_of(context));
+    const meander_flow_statistics figures = ready_statistics(*flow, statistics_of(*flow->flow, cancel_of(context)));
     check_cancelled(context);
     write_struct(statistics, figures);
   });

@@ -233,13 +233,16 @@ Gaps emptiest_places(const Flow::Present& present, double least_size, Told& told
 }  // namespace
 
 Gaps find_gaps(Flow& flow, double least_size, const CancelToken& cancel, std::atomic<double>* told) {
+  if (told) *told = 0;
+  return flow.ask([&](const Flow::Present& present) { return find_gaps(present, least_size, told); }, cancel);
+}
+
+Gaps find_gaps(const Flow::Present& present, double least_size, std::atomic<double>* told) {
   Told search(told);
-  return flow.ask([&](const Flow::Present& present) {
-    Gaps found = emptiest_places(present, least_size, search);
-    search.at(1);
-    for (Gap& gap : found.gaps) gap.radius *= present.state.domain.stretch_at(gap.centre);
-    return found;
-  }, cancel);
+  Gaps found = emptiest_places(present, least_size, search);
+  search.at(1);
+  for (Gap& gap : found.gaps) gap.radius *= present.state.domain.stretch_at(gap.centre);
+  return found;
 }
 
 }  // namespace meander

@@ -43,5 +43,7 @@ struct Gaps {
 /// a gap, or empty. Centres are on Flow::surface(), radii in its unit. See Flow::ask for what changes, and
 /// for `cancel`. `told`, where it is given, goes from 0 to 1 on the way.
 Gaps find_gaps(Flow& flow, double least_size, const CancelToken& cancel = {}, std::atomic<double>* told = nullptr);
+/// The same, where more is asked at once.
+Gaps find_gaps(const Flow::Present& present, double least_size, std::atomic<double>* told = nullptr);
 
 }  // namespace meander

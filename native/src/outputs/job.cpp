@@ -27,14 +27,32 @@ Job::~Job() {
 }
 
 void Job::start(Flow& flow, std::shared_ptr<RunControl> control) {
+  previews_.begin(flow);
+  begin(std::move(control), [this, &flow] {
+    return flow.run([&] { return stops(); },
+                    [&](double progress) {
+                      if (control_) control_->tell(flow, progress);
+                      previews_.after_iteration(flow);
+                    });
+  });
+}
+
+void Job::search(Search search, std::shared_ptr<RunControl> control) {
+  begin(std::move(control), [this, search = std::move(search)] {
+    const auto question = [&] { return stops(); };
+    search(CancelToken(question));
+    return StopReason::kRunning;
+  });
+}
+
+void Job::begin(std::shared_ptr<RunControl> control, std::function<StopReason()> work) {
   control_ = std::move(control);
   if (control_) control_->begin();
   reason_ = StopReason::kRunning;
   error_ = nullptr;
-  previews_.begin(flow);
   running_ = true;
   try {
-    worker_ = std::make_unique<Worker>([this, &flow] { work(flow, control_.get()); });
+    worker_ = std::make_unique<Worker>([this, work = std::move(work)] { do_work(work); });
   } catch (const std::system_error&) {
     running_ = false;
     control_.reset();
@@ -47,18 +65,14 @@ void Job::start(Flow& flow, std::shared_ptr<RunControl> control) {
   }
 }
 
-void Job::work(Flow& flow, RunControl* control) noexcept {
+void Job::do_work(const std::function<StopReason()>& work) noexcept {
   if (!can_throw()) {
     error_ = std::make_exception_ptr(std::bad_alloc());
     running_ = false;
     return;
   }
   try {
-    reason_ = flow.run([&] { return quit_ || (control && control->cancelled); },
-                       [&](double progress) {
-                         if (control) control->tell(flow, progress);
-                         previews_.after_iteration(flow);
-                       });
+    reason_ = work();
   } catch (...) {
     error_ = std::current_exception();
   }

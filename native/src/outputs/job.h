@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run of the flow on a thread of the library's own, for hosts whose threads must stay their own.
+// A run of the flow on a thread of the library's own, for hosts whose threads must stay their own; and a search in it.
 #pragma once
 
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <memory>
 
+#include "base/cancel_token.h"
 #include "flow/flow.h"
 #include "outputs/previews.h"
 #include "outputs/run_control.h"
 
 namespace meander {
 
-/// One run at a time. Between start() and wait() the flow belongs to the worker. All but running()
+/// One run or search at a time. Between start() and wait() the flow belongs to the worker. All but running()
 /// is called by one thread at a time. Not copyable.
 class Job {
  public:
@@ -26,7 +28,12 @@ class Job {
   /// Makes the first copy of the curve, and begins flow.run() on a thread; `control` may be null.
   void start(Flow& flow, std::shared_ptr<RunControl> control);
 
-  /// start() has been called, and wait() not yet.
+  /// What looks at the flow, until it is asked to end; it tells `control`, where that is there, how far it is.
+  using Search = std::function<void(const CancelToken& cancel)>;
+  /// Begins a search on a thread, for which wait() says kRunning.
+  void search(Search search, std::shared_ptr<RunControl> control);
+
+  /// start() or search() has been called, and wait() not yet.
   bool started() const { return worker_ != nullptr; }
 
   /// The worker has not ended yet. Any thread.
@@ -41,7 +48,10 @@ class Job {
  private:
   struct Worker;  // the thread; serial_job.cpp has none
 
-  void work(Flow& flow, RunControl* control) noexcept;
+  /// Begins what is to be done on the thread.
+  void begin(std::shared_ptr<RunControl> control, std::function<StopReason()> work);
+  void do_work(const std::function<StopReason()>& work) noexcept;
+  bool stops() const { return quit_ || (control_ && control_->cancelled); }
 
   std::shared_ptr<RunControl> control_;
   std::atomic<bool> running_{false}, quit_{false};

@@ -16,6 +16,11 @@ void Job::start(Flow&, std::shared_ptr<RunControl>) {
                 "This library has no threads of its own; call meander_flow_run or meander_flow_step.");
 }
 
+void Job::search(Search, std::shared_ptr<RunControl>) {
+  throw Failure(FailureKind::kInvalidArgument,
+                "This library has no threads of its own; call the functions that find one thing each.");
+}
+
 StopReason Job::wait() { return reason_; }  // of no run, which the caller has checked
 
 }  // namespace meander

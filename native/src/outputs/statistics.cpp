@@ -81,16 +81,18 @@ double Statistics::evenness(double wanted) const {
 }
 
 Statistics statistics_of(Flow& flow, const CancelToken& cancel) {
-  return flow.ask([&](const Flow::Present& present) {
-    Statistics figures;
-    count_strands(flow, figures);
-    figures.small_components = small_components(flow.surface(), 2 * flow.settings().radius);
-    figures.length = flow.length();
-    figures.energy = energy_of(present);
-    figures.spacing = spacing_of(present);
-    figures.crossings = present.crossings.find(*present.state.domain.surface, present.state.curve, present.pool).size();
-    return figures;
-  }, cancel);
+  return flow.ask([&](const Flow::Present& present) { return statistics_of(flow, present); }, cancel);
+}
+
+Statistics statistics_of(const Flow& flow, const Flow::Present& present) {
+  Statistics figures;
+  count_strands(flow, figures);
+  figures.small_components = small_components(flow.surface(), 2 * flow.settings().radius);
+  figures.length = flow.length();
+  figures.energy = energy_of(present);
+  figures.spacing = spacing_of(present);
+  figures.crossings = present.crossings.find(*present.state.domain.surface, present.state.curve, present.pool).size();
+  return figures;
 }
 
 }  // namespace meander

@@ -30,5 +30,7 @@ struct Statistics {
 
 /// Those of the curve as it is now. See Flow::ask for what that changes, and for `cancel`.
 Statistics statistics_of(Flow& flow, const CancelToken& cancel = {});
+/// The same, where more is asked at once.
+Statistics statistics_of(const Flow& flow, const Flow::Present& present);
 
 }  // namespace meander
