@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is told of a curve of many nodes is found at several events, so that no window hangs."""
+"""What is told of a curve of many nodes is found on a thread of the library's: no window hangs."""
 
 from __future__ import annotations
 
@@ -8,64 +8,85 @@ import time
 import bpy
 import pytest
 from meander import core
-from meander.run import stepper
+from meander.run import search
 from scenes import sphere
 from watched_runs import begin
 
-COSTLY = ("statistics", "gaps", "point_data")
+# What a flow finds while its caller waits.
+WAITED_FOR = ("statistics", "gaps", "point_data", "rounded", "polylines", "guides", "found")
 
 
 @pytest.fixture
-def asked(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """What a flow has been asked for that costs about an iteration."""
-    names: list[str] = []
+def asked(monkeypatch: pytest.MonkeyPatch) -> list[tuple[str, bool]]:
+    """What a flow has been asked for, and whether its thread was going then."""
+    calls: list[tuple[str, bool]] = []
 
     def noting(name: str):
         whole = getattr(core.Flow, name)
-        return lambda flow, *given: (names.append(name), whole(flow, *given))[1]
+        return lambda flow, *given: (calls.append((name, flow.running)), whole(flow, *given))[1]
 
-    for name in COSTLY:
+    for name in (*WAITED_FOR, "start_finding"):
         monkeypatch.setattr(core.Flow, name, noting(name))
-    return names
+    return calls
 
 
-def ticks_to_the_end(running, asked: list[str]) -> list[int]:
-    """How much was asked for at each event."""
-    counts, end = [], time.monotonic() + 60.0
-    more = True
-    while more:
+def tick_to_the_end(running) -> None:
+    end = time.monotonic() + 60.0
+    while running.tick(bpy.context):
         assert time.monotonic() < end
-        before = len(asked)
-        more = running.tick(bpy.context)
-        counts.append(len(asked) - before)
         time.sleep(0.01)
-    return counts
 
 
 @pytest.mark.parametrize("many", [True, False])
-def test_what_is_told_comes_in_pieces(windowed, asked, monkeypatch, many):
-    monkeypatch.setattr(stepper, "MANY_NODES", 1 if many else 10**9)
+def test_nobody_waits_for_what_is_told_of_many_nodes(windowed, asked, monkeypatch, many):
+    monkeypatch.setattr(search, "MANY_NODES", 1 if many else 10**9)
     running = begin(sphere(), 0.3)
     running.stepper._nodes = 100  # as a copy says, which a short run may not have made
-    counts = ticks_to_the_end(running, asked)
-    assert max(counts) == (1 if many else 0)
-    before = len(asked)
+    tick_to_the_end(running)
+    assert asked == ([("start_finding", False)] if many else [])
+    assert running.stepper.search.begun == many
     result, figures = running.keep(bpy.context)
     running.end()
-    assert sorted(asked) == sorted(COSTLY), "each once"
-    assert len(asked) - before == (0 if many else 3)
+    assert [name for name, _going in asked] == ["start_finding", "found"], "all at once, and once"
+    if many:
+        assert asked[1] == ("found", False), "it had ended before it was waited for"
     assert figures["nodes"] > 100 and len(result.data.splines[0].points) > 100
+    assert result.meander.figures.gap_count >= 0
+
+
+def test_it_says_how_far_it_is(windowed, monkeypatch):
+    monkeypatch.setattr(search, "MANY_NODES", 1)
+    running = begin(sphere(), 0.3)
+    running.stepper._nodes = 100
+    tick_to_the_end(running)
+    assert running.progress_text() == "Measuring the curve, 100%"
+    assert running.phase_text() == "Measuring the curve" and running.left_text() == ""
+    running.end()
+    assert not running.stepper.search.begun, "taken back"
 
 
 def test_a_run_that_goes_on_is_told_of_anew(windowed, asked, monkeypatch):
-    monkeypatch.setattr(stepper, "MANY_NODES", 1)
+    monkeypatch.setattr(search, "MANY_NODES", 1)
     running = begin(sphere(), 0.3)
     running.stepper._nodes = 100
-    ticks_to_the_end(running, asked)
+    tick_to_the_end(running)
     running.stepper.start()
+    assert not running.stepper.search.begun
     asked.clear()
     running._is_over = False
-    ticks_to_the_end(running, asked)
+    tick_to_the_end(running)
     running.keep(bpy.context)
     running.end()
-    assert sorted(asked) == sorted(COSTLY)
+    assert [name for name, _going in asked] == ["start_finding", "found"]
+
+
+def test_one_that_is_stopped_by_hand_has_no_gaps(windowed, asked, monkeypatch):
+    monkeypatch.setattr(search, "MANY_NODES", 1)
+    running = begin(sphere(), 0.1)
+    running.stepper._nodes = 100
+    running.stop_wanted = True
+    tick_to_the_end(running)
+    result, _figures = running.keep(bpy.context)
+    running.end()
+    assert result.meander.figures.gap_count == -1
+    assert result.meander.figures.nodes > 0

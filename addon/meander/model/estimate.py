@@ -243,13 +243,15 @@ def _size(size: float) -> str:
     return f"{_rounded(size / 1e6)} MB" if size < 1e9 else f"{size / 1e9:,g} GB"
 
 
-# What a run is about, as a user reads it, by core.Context.phase; and of a picture, once more.
+# What a run is about, as a user reads it, by core.Context.phase; of a picture, once more; and what
+# follows its end in Blender.
 PHASE_TEXTS = {
     "none": "Preparing",
     "growth": "Growing",
     "hairpin_removal": "Removing hairpins",
     "polish": "Evening out",
     "correction": "Correcting tones",
+    "search": "Measuring the curve",
 }
 # Seconds and share of the work before which a guess would jump about.
 _LEAST_SECONDS = 0.5

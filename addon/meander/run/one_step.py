@@ -30,9 +30,26 @@ _taken_back: Memory[str, int] = Memory()
 _passing: Activity[tuple[str, list[str]]] = Activity()
 
 
-def note(result: bpy.types.Object, context: bpy.types.Context) -> None:
-    """Notes on a result what its settings ask for, which is what its run has made."""
-    result.meander.figures.asked = _asked(result, context)
+def note(result: bpy.types.Object, paint: bytes) -> None:
+    """Notes on a result what its settings ask for, which is what its run has made.
+
+    paint   of paint_of(), before the curve was written: after that a depsgraph would evaluate the
+            curve for it, too
+    """
+    result.meander.figures.asked = _asked(result, paint)
+
+
+def paint_of(thing: bpy.types.Object, context: bpy.types.Context) -> bytes:
+    """What the density follows of what is painted on a surface, by the settings of an object."""
+    surface = surface_of(thing)
+    choice = chosen_density(settings_of(thing), surface)
+    if choice.source not in live.PAINTED:
+        return b""
+    try:
+        density = density_of(choice, surface, context.evaluated_depsgraph_get())
+    except (DataError, core.MeanderError):
+        density = None
+    return b"" if density is None else density.tobytes()
 
 
 def note_change(result: bpy.types.Object) -> None:
@@ -101,14 +118,16 @@ def _is_unsettled(result: bpy.types.Object) -> bool:
         return True
     figures = result.meander.figures
     asked = figures.asked if result.meander.live else ""
-    return bool(asked) and asked != _asked(result, bpy.context)
+    if not asked or surface_of(result) is None:
+        return bool(asked)
+    return asked != _asked(result, paint_of(result, bpy.context))
 
 
 def _changed_live() -> Iterator[bpy.types.Object]:
     return (thing for thing in bpy.data.objects if thing.meander.figures.live_changes)
 
 
-def _asked(result: bpy.types.Object, context: bpy.types.Context) -> str:
+def _asked(result: bpy.types.Object, paint: bytes) -> str:
     """Another text where the live settings or the paint of a result ask for another curve."""
     settings, surface = settings_of(result), surface_of(result)
     if surface is None:
@@ -118,10 +137,5 @@ def _asked(result: bpy.types.Object, context: bpy.types.Context) -> str:
     values = [value if isinstance(value, (str, int, float)) else "" for value in plain]
     choice = chosen_density(settings, surface)
     digest = hashlib.blake2b(repr((values, choice)).encode(), digest_size=8)
-    if choice.source in live.PAINTED:
-        try:
-            density = density_of(choice, surface, context.evaluated_depsgraph_get())
-        except (DataError, core.MeanderError):
-            density = None
-        digest.update(b"" if density is None else density.tobytes())
+    digest.update(paint)
     return digest.hexdigest()

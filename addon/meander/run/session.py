@@ -31,7 +31,7 @@ from .meaning import meaning_of
 from .plan import Plan, with_looks
 from .preview import Preview
 from .refusal import explain_refusal, refuse_deleted
-from .result import preparation_text, write_result
+from .result import write_result
 from .rounding import tolerance_for
 from .stepper import Snapshot, Stepper
 from .suspended import SuspendedRun
@@ -158,14 +158,15 @@ class Session:
         return self._wish is not None or not self.stepper.finished or self._goes_on()
 
     def _goes_on(self) -> bool:
-        """Whether a run that has ended is to go on, or a piece was found of what is told of it."""
+        """Whether a run that has ended is to go on, or what is told of it is being found."""
         if not self._is_over:
             self.stepper.join()
             self._is_over = self.stop_wanted or self.stepper.failed or not self.stepper.goes_on()
-        if self._is_over:
-            return self.stepper.find_next()
         # What is left of a picture has its corrections in it.
-        self._remaining = self._remaining if self.plan.problem.tones else Remaining()
+        if self._is_over or not self.plan.problem.tones:
+            self._remaining = Remaining()
+        if self._is_over:
+            return self.stepper.finds()
         self.stepper.start()
         return True
 
@@ -300,7 +301,8 @@ class Session:
 
     def progress_text(self) -> str:
         """What the run is about and how long it will still take, in words."""
-        return self._placed(told(self._phase(), self._remaining.seconds()))
+        text, share = told(self._phase(), self._remaining.seconds()), self.stepper.search.progress
+        return self._placed(text if share is None else f"{text}, {share:.0%}")
 
     def phase_text(self) -> str:
         """What the run is about, such as "Growing"."""
@@ -315,16 +317,13 @@ class Session:
         return in_words(seconds) if seconds is not None else ""
 
     def _phase(self) -> str:
-        return self.latest.phase if self.latest is not None else "none"
+        latest = self.latest.phase if self.latest is not None else "none"
+        return "search" if self.stepper.search.begun else latest
 
     @property
     def shown_points(self) -> int:
         """How many points the curve has that the views show."""
         return self._preview.point_count if self._preview is not None else 0
-
-    def preparation_text(self) -> str:
-        """What was done to the mesh, in words; empty if nothing was."""
-        return preparation_text(self.plan, self.stepper)
 
     def keep(self, context: bpy.types.Context) -> tuple[bpy.types.Object, dict[str, Any]]:
         """Waits for the end of the run and makes what has grown the result, where its surface is.
@@ -353,15 +352,15 @@ class Session:
         choice = self._choice
         undisturbed = choice is None or choice.is_still_made(context.view_layer)
         with edit_mode.left(context):
+            source = self.plan.settings.find() or self.plan.surface.find()
+            paint = one_step.paint_of(source, context)
             result = write_result(context, self.plan, self.stepper, outcome, undisturbed)
-        one_step.note(result, context)
+            one_step.note(result, paint)
         _snapshot, figures, stop_reason = outcome
         if result.meander.live:
             # The next one updates it, and leaves alone what is active then.
             problem = replace(self.plan.problem, options=self.stepper.problem.options)
-            self.plan = replace(
-                self.plan, problem=problem, result=Key(result), from_surface=True
-            )
+            self.plan = replace(self.plan, problem=problem, result=Key(result), from_surface=True)
             live.keep(SuspendedRun(self.plan, self.stepper, self.latest, self._meaning))
         simple = self.plan.problem.is_plain and self.plan.problem.tones is None
         usual = self.plan.from_surface and self.whole and simple
@@ -386,6 +385,7 @@ class Session:
             running.taken()
         self.stepper.cancel()
         self.stepper.join()
+        self.stepper.search.end()
         if self._window is not None:
             self._window.give_back()
         if self._preview is not None:

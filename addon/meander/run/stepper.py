@@ -29,13 +29,12 @@ from ..model.picture.correction import COSTS, Correction
 from ..model.problem import Problem
 from ..model.toolpaths.toolpath import strands_of
 from ..model.whole import whole_of
+from . import search
+from .search import Search
 
 # A watched run keeps its curve whenever that has grown by this share of what it is going to be, as
 # long as those copies have no more points than this, which take 100 MB.
 GROWTH_STEP, GROWTH_POINTS = 1.0 / 16.0, 2_000_000
-# What is told of a curve of this many nodes is found piece by piece: all at once a window would
-# hang for half a second and more.
-MANY_NODES = 200_000
 
 
 @dataclass(frozen=True)
@@ -104,8 +103,8 @@ class Stepper:
         self._correction = None if problem.tones is None else Correction(problem.tones)
         self._before: _Line | None = None
         self.surface_figures: dict[str, Any] = {}  # of core.Surface.statistics(), once prepared
-        # What find_next() has found of the result; how many nodes the last picture had.
-        self._found: dict[str, Any] = {}
+        # What finds what result() tells, once it has begun; how many nodes the last picture had.
+        self.search = Search()
         self._nodes = 0
         # Of the library, while the run was going.
         self._progress, self._phase = 0.0, "none"
@@ -153,7 +152,7 @@ class Stepper:
             self.defect = f"{str(error).removesuffix('.')}, and add {path} to the report"
 
     def _begin(self) -> None:
-        self._found = {}
+        self.search.end()
         if self._flow is None:
             self._prepare()
         else:
@@ -240,6 +239,7 @@ class Stepper:
         self._correction, self._progress = None if tones is None else Correction(tones), 0.0
 
     def _revise(self, options: core.FlowOptions, density: np.ndarray | None) -> None:
+        self.search.end()
         before, taken, of_flow = self._opened.options, options, density
         if self._part is not None:
             taken = self._part.options_of(options)
@@ -311,33 +311,27 @@ class Stepper:
         except Exception as error:
             self._note(error)
 
-    def find_next(self) -> bool:
-        """Finds one more piece of what result() tells of a curve of many nodes, each of which costs
-        about an iteration, so that a window lives between them; whether there was one.
+    def finds(self) -> bool:
+        """Whether the library is finding what result() tells of a curve of many nodes, which costs
+        some iterations; begins with it. Of what is laid on other parts result() finds it.
 
         After join() only. What goes wrong is for result() to raise.
         """
-        flow, cancelled = self._flow, self._stop_reason == "cancelled"
         whole = self._part is None and self._before is None
-        if self._nodes < MANY_NODES or flow is None or self.failed or not whole:
-            return False
-        for name in ("statistics", "gaps", "point_data"):
-            if name not in self._found and not (name == "gaps" and cancelled):
-                try:
-                    self._found[name] = getattr(flow, name)()
-                except core.MeanderError:
-                    return False
-                return True
-        return False
+        if not self.search.begun:
+            if self._nodes < search.MANY_NODES or self._flow is None or self.failed or not whole:
+                return False
+            self._begin_search()
+        return self.search.running
 
-    def _told(self, flow: core.Flow, name: str) -> Any:
-        """What a flow tells, unless find_next() has found it."""
-        return self._found.pop(name) if name in self._found else getattr(flow, name)()
+    def _begin_search(self) -> None:
+        # One that was stopped by hand has gaps everywhere, and finding them all takes seconds.
+        self.search.begin(self._flow, self._stop_reason != "cancelled", self.rounding())
 
     def result(self) -> tuple[Snapshot, dict[str, Any], str]:
         """Waits for the end: the last curve, the full statistics, and the reason of the stop.
 
-        Raises what went wrong in the run. The statistics, and `gaps`, cost about an iteration each.
+        Raises what went wrong in the run. Costs some iterations, if finds() has not begun them.
         """
         self.join()
         if self._error is not None:
@@ -351,29 +345,40 @@ class Stepper:
         if self._before is not None and not self._correction.nearest:
             return self._before
         if self._part is None:
-            return self._line_of(self._flow, self._told(self._flow, "statistics"))
+            return self._searched_line()
         whole = whole_of(self._part, self._flow, self.problem.options)
         self.sources, self.lines_why = whole.sources, whole.why
         with whole.flow as flow:
             return self._line_of(flow, whole.figures)
 
+    def _searched_line(self) -> _Line:
+        if not self.search.begun:
+            self._begin_search()
+        found = self.search.findings()
+        outcome = self._outcome(found.polylines, found.statistics)
+        return _Line(outcome, found.gaps, found.guides, found.point_data, found.drawn)
+
     def _line_of(self, flow: core.Flow, statistics: dict[str, Any]) -> _Line:
+        rounding = self.rounding()
+        return _Line(
+            self._outcome(flow.polylines(), statistics),
+            None if self._stop_reason == "cancelled" else flow.gaps(),
+            flow.guides(),
+            flow.point_data(),
+            flow.rounded(rounding) if rounding else None,
+        )
+
+    def _outcome(
+        self, polylines: core.Polylines, statistics: dict[str, Any]
+    ) -> tuple[Snapshot, dict[str, Any], str]:
         snapshot = self._snapshot(
-            flow.polylines(),
+            polylines,
             statistics["iterations"],
             statistics["nodes"],
             statistics["length"],
             statistics["seconds_total"],
         )
-        rounding = self.rounding()
-        return _Line(
-            (snapshot, statistics, self._stop_reason),
-            # One that was stopped by hand has them everywhere, and finding them all takes seconds.
-            None if self._stop_reason == "cancelled" else self._told(flow, "gaps"),
-            flow.guides(),
-            self._told(flow, "point_data"),
-            flow.rounded(rounding) if rounding else None,
-        )
+        return snapshot, statistics, self._stop_reason
 
     def _snapshot(
         self,

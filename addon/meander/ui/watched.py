@@ -14,6 +14,7 @@ from ..model import last_run, strands
 from ..model.empty import Empty, narrow_remark, percent, remark
 from ..run import notes, session
 from ..run.plan import Plan
+from ..run.result import preparation_text
 from ..run.session_remarks import remarks
 from ..run.suspended import SuspendedRun
 from ..scene.errors import DataError
@@ -106,7 +107,8 @@ class Watched:
             if keep:
                 result, figures = self._session.keep(context)
                 remark, warning = remarks(self._session, context, result, figures)
-                done = (_summary(result), self._session.preparation_text(), remark)
+                mended = preparation_text(self._session.plan, self._session.stepper)
+                done = (_summary(result), mended, remark)
                 self.report({"INFO"}, f"{result.name}: {'; '.join(filter(None, done))}")
                 if warning:
                     self.report({"WARNING"}, warning)
