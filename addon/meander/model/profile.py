@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from .geometry.blocks import blocks
+
 # Blender's own limit in its Z-Up frames: a direction this near to the axis has no up.
 _VERTICAL = 1e-4
 # The radius is clamped to these, however wide the gaps beside the curve are.
@@ -21,32 +23,53 @@ def tilts(points: np.ndarray, normals: np.ndarray, cyclic: bool) -> np.ndarray:
 
     points, normals  (n, 3), in the curve's own space; normals need no unit length
     """
-    # Millions of points: a row for each axis is three times as fast as one for each point.
-    tangents = _directions(_rows(points), cyclic)
-    up = _up(tangents)
-    # Blender's frame has Z against the tangent, so X is the normal where Y is this.
-    across = _cross(_rows(normals), tangents)
-    across = _unit(across, out=up.copy())
-    sine = _dot(_cross(up, across), tangents)
+    angles = np.empty(len(points))
+    for begin, end in blocks(len(points)):
+        # Millions of points: a row for each axis is three times as fast as one for each point.
+        tangents = _directions(points, begin, end, cyclic)
+        up = _up(tangents)
+        # Blender's frame has Z against the tangent, so X is the normal where Y is this.
+        across = _cross(_rows(normals[begin:end]), tangents)
+        across = _unit(across, out=up.copy())
+        sine = _dot(_cross(up, across), tangents)
+        np.arctan2(sine, _dot(up, across), out=angles[begin:end])
     # No turns of more than half a circle between neighbours: what blends them is short.
-    return np.unwrap(np.arctan2(sine, _dot(up, across)))
+    return _unwrapped(angles)
 
 
 def directions(points: np.ndarray, cyclic: bool) -> np.ndarray:
     """Unit directions at the points, as Blender has them: halving the angle of both pieces."""
-    return _directions(_rows(points), cyclic).T
+    return _directions(points, 0, len(points), cyclic).T
+
+
+def _unwrapped(angles: np.ndarray) -> np.ndarray:
+    """As np.unwrap() has them, which is slow where hardly any neighbours are far apart."""
+    steps = np.diff(angles)
+    jumps = np.flatnonzero(np.abs(steps) >= np.pi)
+    steps = steps[jumps]
+    nearest = np.mod(steps + np.pi, 2.0 * np.pi) - np.pi
+    nearest[(nearest == -np.pi) & (steps > 0.0)] = np.pi
+    turns = np.concatenate([[0.0], np.cumsum(nearest - steps)])
+    counts = np.diff(np.concatenate([[0], jumps + 1, [len(angles)]]))
+    return angles + np.repeat(turns, counts)
 
 
 # Below, vectors are columns (3, n).
 
 
-def _directions(points: np.ndarray, cyclic: bool) -> np.ndarray:
-    pieces = _unit(np.roll(points, -1, axis=1) - points)
-    before = np.roll(pieces, 1, axis=1)
+def _directions(points: np.ndarray, begin: int, end: int, cyclic: bool) -> np.ndarray:
+    """Those at the points from `begin` to `end`."""
+    count = len(points)
+    places = np.arange(begin - 1, end + 1)
+    places = places % count if cyclic and count else np.clip(places, 0, max(0, count - 1))
+    around = _rows(points[places])
+    pieces = _unit(around[:, 1:] - around[:, :-1])
     if not cyclic:
-        pieces[:, -1] = before[:, -1]
-        before[:, 0] = pieces[:, 0]
-    return _unit(pieces + before)
+        if begin == 0:
+            pieces[:, 0] = pieces[:, min(1, end)]
+        if end == count:
+            pieces[:, -1] = pieces[:, max(-2, -end - 1)]
+    return _unit(pieces[:, 1:] + pieces[:, :-1])
 
 
 def _rows(vectors: np.ndarray) -> np.ndarray:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import bpy
 import numpy as np
 
+from ..model.geometry.blocks import blocks
 from .errors import DataError
 
 
@@ -28,7 +29,12 @@ def to_world(points: np.ndarray, matrix: np.ndarray) -> np.ndarray:
 
 def to_local(points: np.ndarray, matrix: np.ndarray) -> np.ndarray:
     """World points (n, 3) to the space of `matrix`, in float64."""
-    return np.linalg.solve(matrix[:3, :3], (np.asarray(points) - matrix[:3, 3]).T).T
+    points = np.asarray(points)
+    local = np.empty(points.shape)
+    for begin, end in blocks(len(points)):
+        away = points[begin:end] - matrix[:3, 3]
+        local[begin:end] = np.linalg.solve(matrix[:3, :3], away.T).T
+    return local
 
 
 def mean_scale(matrix: np.ndarray) -> float:

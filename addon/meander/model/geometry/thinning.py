@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ... import core
+from .blocks import blocks
 
 # Points nearer to each other than this share of the spacing become one: 0.02 r.
 MERGED_SHARE = 0.01
@@ -32,7 +33,10 @@ def kept_points(polylines: core.Polylines, distance: float) -> NDArray[np.int64]
     """
     positions = np.asarray(polylines.positions, dtype=np.float64)
     keep = np.ones(len(positions), dtype=bool)
-    short = np.linalg.norm(np.diff(positions, axis=0), axis=1) < distance
+    short = np.empty(max(0, len(positions) - 1), dtype=bool)
+    for begin, end in blocks(len(short)):
+        steps = np.diff(positions[begin : end + 1], axis=0)
+        short[begin:end] = np.linalg.norm(steps, axis=1) < distance
     offsets = np.asarray(polylines.offsets, dtype=np.int64)
     for begin, end, closed in zip(offsets[:-1].tolist(), offsets[1:].tolist(), polylines.closed):
         if begin == end:
