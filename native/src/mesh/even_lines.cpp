@@ -67,16 +67,18 @@ std::vector<uint8_t> with_even_lines(const Surface& surface, const LineField& fi
   std::vector<uint8_t> even(surface.component_count(), 0);
   if (field.empty()) return even;
   std::vector<double> flow(even.size(), 0), area(even.size(), 0);
+  for (uint32_t f = 0; f < surface.face_count(); ++f) area[surface.component(f)] += surface.face_area(f);
+  for (size_t k = 0; k < even.size(); ++k) even[k] = area[k] > 0;
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
     const uint32_t component = surface.component(f);
-    area[component] += surface.face_area(f);
+    if (!even[component]) continue;  // no more of it is needed, and on most surfaces a few faces say so
     flow[component] += std::abs(spreading_in(surface, field, f));
     for (HalfEdge e = 3 * f; e < 3 * f + 3; ++e) {
       const HalfEdge twin = surface.twin(e);
       if (twin != kNone && e < twin) flow[component] += std::abs(spreading_at(surface, field, e));
     }
+    even[component] = flow[component] < kMostSpreading * std::sqrt(area[component]);
   }
-  for (size_t k = 0; k < even.size(); ++k) even[k] = flow[k] < kMostSpreading * std::sqrt(area[k]);
   return even;
 }
 

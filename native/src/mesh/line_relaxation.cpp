@@ -142,12 +142,12 @@ LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, 
                         std::span<const Vec2> holding) {
   std::vector<Level> levels;
   CancelToken poll = pool.poll(kFacesPerPoll);
-  const std::vector<Vec2> carried = carried_across(surface, pool);
   std::vector<Vec2> lines = first_lines(surface, poll);
   for (Vec2& line : lines) line = turn * line;
   std::vector<Vec2> held = along_boundary ? along_edges(surface) : std::vector<Vec2>(lines.size());
   for (size_t f = 0; f < holding.size(); ++f) held[f] = held[f] + holding[f];
-  Couplings<Vec2> edges = of_faces(surface, carried, pool);
+  // What carries lines across edges is found twice: it does not stand beside the levels.
+  Couplings<Vec2> edges = of_faces(surface, carried_across(surface, pool), pool);
   while (true) {
     Pairs<Vec2> pairs(edges, poll);
     if (pairs.count == edges.size()) break;
@@ -163,7 +163,7 @@ LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, 
         {std::exchange(edges, std::move(coarse)), std::move(pairs), std::exchange(held, std::move(holds))});
   }
   for (Vec2& line : lines) line = norm(line) > 0 ? unit(line) : Vec2{1, 0};
-  for (size_t k = levels.size(); k-- > 0;) {
+  for (size_t k = levels.size(); k-- > 0; levels.pop_back()) {
     const auto& [rows, pairs, holds] = levels[k];
     std::vector<Vec2> finer(rows.size());
     for (size_t i = 0; i < rows.size(); ++i) finer[i] = pairs.carry[i] * lines[pairs.of[i]];
@@ -172,7 +172,8 @@ LineField relaxed_field(const Surface& surface, Vec2 turn, bool along_boundary, 
     // Means of lines that disagree are short, and those of such means would vanish.
     for (Vec2& line : lines) line = unit(line);
   }
-  return LineField(at_corners(surface, carried, lines, pool));
+  if (LargePages<Vec2>::is_large(lines.size())) PageStore::trim();
+  return LineField(at_corners(surface, carried_across(surface, pool), lines, pool));
 }
 
 LineField field_along_boundary(const Surface& surface, ThreadPool& pool) {

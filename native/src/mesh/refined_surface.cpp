@@ -52,12 +52,21 @@ RefinedSurface::RefinedSurface(const Surface& surface, bool origins, CancelToken
   origins_.resize(surface.face_count());
   std::iota(origins_.begin(), origins_.end(), 0u);
   fixed_.resize(edges);
-  at_.resize(2 * edges, Vec2{});
-  constexpr Vec2 kCorners[] = {{0, 0}, {1, 0}, {0, 1}};
-  for (HalfEdge e = 0; e < here.size(); ++e) at_[here[e]] = kCorners[corner_of(e)];
+}
+
+/// Before the first change of faces whose origins are known.
+void RefinedSurface::note_corners() {
+  if (origins_.empty() || !at_.empty()) return;
+  at_.resize(mesh_.n_halfedges(), Vec2{});
+  for (uint32_t f = 0; f < face_count(); ++f) {
+    const std::array<HalfEdge, 3> whole = corners(f);
+    at_[whole[1]] = {1, 0};
+    at_[whole[2]] = {0, 1};
+  }
 }
 
 void RefinedSurface::reserve_divisions(size_t count) {
+  if (count == 0) return;
   positions_.reserve(positions_.size() + count);
   origins_.reserve(mesh_.n_faces() + 2 * count);
   fixed_.reserve(mesh_.n_edges() + kEdgesOfDivision * count);
@@ -84,6 +93,7 @@ void RefinedSurface::grow() {
 
 void RefinedSurface::split_edge(HalfEdge h, uint32_t v, Vec2 at, Vec2 beyond) {
   check_numbers();
+  note_corners();
   // By the edge's first half-edge, which begins at the new vertex afterwards.
   const HalfEdge low = h & ~HalfEdge{1}, high = low + 1, apex = prev(low), other_apex = prev(high);
   const uint32_t left = face(low), right = face(high);
@@ -114,6 +124,7 @@ void RefinedSurface::split_edge(HalfEdge h, uint32_t v, Vec2 at, Vec2 beyond) {
 
 void RefinedSurface::split_face(uint32_t f, uint32_t v, Vec2 at) {
   check_numbers();
+  note_corners();
   const uint32_t part = face_count();
   HalfEdge added = half_edge_count();
   const auto [last, first, second] = corners(f);
@@ -128,6 +139,7 @@ void RefinedSurface::split_face(uint32_t f, uint32_t v, Vec2 at) {
 }
 
 void RefinedSurface::flip(HalfEdge h) {
+  note_corners();
   const HalfEdge low = h & ~HalfEdge{1}, high = low + 1;
   const Vec2 left = at_[prev(low)], right = at_[prev(high)];
   mesh_.flip(OpenMesh::EdgeHandle(static_cast<int>(low / 2)));

@@ -73,7 +73,7 @@ class RefinedSurface {
   /// The face of the surface that a face is a part of, in whose orientation it is.
   uint32_t origin(uint32_t f) const { return origins_[f]; }
   /// Where a corner is in that face of the surface: the weights of the face's corners 1 and 2.
-  Vec2 at(HalfEdge corner) const { return at_[corner]; }
+  Vec2 at(HalfEdge corner) const { return at_.empty() ? at_whole(corner) : at_[corner]; }
   /// Where the share t of a half-edge is in that face.
   Vec2 at_share(HalfEdge h, double t) const { return (1 - t) * at(h) + t * at(next(h)); }
   /// Whether there is another face of the same origin across an edge that is not fixed.
@@ -105,13 +105,20 @@ class RefinedSurface {
   static uint32_t id(OpenMesh::BaseHandle handle) { return static_cast<uint32_t>(handle.idx()); }
   static OpenMesh::HalfedgeHandle half(HalfEdge h) { return OpenMesh::HalfedgeHandle(static_cast<int>(h)); }
   static OpenMesh::VertexHandle vertex(uint32_t v) { return OpenMesh::VertexHandle(static_cast<int>(v)); }
+  /// The same while nothing has changed: corners have the order of their face in the surface.
+  Vec2 at_whole(HalfEdge corner) const {
+    const HalfEdge before = first(face(corner));
+    if (corner == before) return {0, 0};
+    return corner == next(before) ? Vec2{1, 0} : Vec2{0, 1};
+  }
   void check_numbers() const;
+  void note_corners();
   void grow();
 
   OpenMesh::TriConnectivity mesh_;
   std::vector<Vec3> positions_;    // per vertex
   std::vector<uint32_t> origins_;  // per face
-  Table<Vec2> at_;                 // per half-edge
+  Table<Vec2> at_;                 // per half-edge; empty until the first change: fine meshes are never divided
   std::vector<uint8_t> fixed_;     // per edge
 };
 

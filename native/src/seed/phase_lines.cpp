@@ -90,12 +90,12 @@ StartField smooth_field(const Surface& surface, const SurfacePatches& patches, c
 /// by how far apart strands are to come: even rows stay as far apart as they are laid.
 std::vector<StripeDistances> stripe_distances(const Surface& surface, const StartField& field,
                                               const RadiusField& radius, const LineSpacing& spacing,
-                                              double boundary_distance, double rest) {
+                                              double boundary_distance, double rest,
+                                              const std::vector<uint8_t>& even) {
   const double margin = 2 * boundary_distance - 1;
   const auto at = [&](double apart) { return StripeDistances{apart, 0.5 * apart + margin}; };
   std::vector<StripeDistances> distances(surface.component_count(), at(spacing.apart / spacing.full));
   if (radius.varies()) return distances;
-  const std::vector<uint8_t> even = with_even_lines(surface, field.lines);
   std::vector<double> across(even.size(), 0);
   if (std::ranges::count(even, 1) > 0) across = heights_across(surface, field.lines).width;
   for (size_t k = 0; k < even.size(); ++k) {
@@ -226,10 +226,10 @@ StartField start_field(const Surface& surface, const SurfacePatches& patches, co
 LaidLines lines_of_phase(const Surface& surface, const RadiusField& radius, const LineSpacing& spacing,
                          double boundary_distance, double rest, uint32_t variation, ThreadPool& pool,
                          const CancelToken& poll, StartField& field, const Tell& tell) {
-  const std::vector<StripeDistances> distances =
-      stripe_distances(surface, field, radius, spacing, boundary_distance, rest);
   const std::vector<uint8_t> even =
-      radius.varies() ? std::vector<uint8_t>(distances.size(), 0) : with_even_lines(surface, field.lines);
+      radius.varies() ? std::vector<uint8_t>(surface.component_count(), 0) : with_even_lines(surface, field.lines);
+  const std::vector<StripeDistances> distances =
+      stripe_distances(surface, field, radius, spacing, boundary_distance, rest, even);
   const Layer layer{surface, radius, distances, spacing, variation, pool, poll, even};
   LaidLines lines = layer.lines_along(field.lines, part_of(tell, 0, field.turns ? kFirstLaid : 1));
   if (field.turns) layer.turn(field.lines, lines, part_of(tell, kFirstLaid, 1));
