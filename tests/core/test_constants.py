@@ -17,7 +17,7 @@ HEADINGS = re.findall(r"^#+ (.*)$", (ROOT / "docs" / "decisions.md").read_text()
 LINE = re.compile(r"constexpr \w+ (k\w+) = ([^;]+);\s*// ([^;]+); ([^;]+); (.+)")
 NUMBERS = {"pi": math.pi, "sqrt2": math.sqrt(2.0)}
 # Rooms that have all their numbers in the table.
-COMPLETE = ("mesh",)
+COMPLETE = ("mesh", "geodesic")
 NUMBER = re.compile(
     r"^(?:inline |static )*constexpr (?:double|float|int|(?:std::)?(?:u?int\d+|size)_t)"
     r"((?:\s+k\w+ = [^;,]+,?)+);",

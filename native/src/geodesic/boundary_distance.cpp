@@ -6,16 +6,14 @@
 #include <queue>
 
 #include "base/point_tree.h"
+#include "geodesic/constants.h"
 #include "geodesic/marching.h"
 
 namespace meander {
 namespace {
 
 /// Splits, and vertices that the front passes, from one poll to the next: a few hundred microseconds.
-constexpr uint32_t kPieces = 256;
-
-/// Most samples on one edge. There would not be enough memory for the faces beside more of them.
-constexpr double kMostSamples = 1e7;
+constexpr uint32_t kPiecesPerPoll = 256;
 
 /// Points along the boundary, no more than `step` apart.
 std::vector<Vec3> boundary_samples(const Surface& surface, double step, CancelToken poll) {
@@ -24,7 +22,7 @@ std::vector<Vec3> boundary_samples(const Surface& surface, double step, CancelTo
     const Triangle& t = surface.face(face_of(e));
     const Vec3 from = surface.position(t[corner_of(e)]);
     const Vec3 along = surface.position(t[next_corner(corner_of(e))]) - from;
-    const int pieces = static_cast<int>(std::min(kMostSamples, 1 + std::ceil(along.norm() / step)));
+    const int pieces = static_cast<int>(std::min(kMostSamplesOfEdge, 1 + std::ceil(along.norm() / step)));
     for (int k = 0; k < pieces; ++k) {
       poll();
       samples.push_back(from + along * (double(k) / pieces));
@@ -40,7 +38,7 @@ BoundaryDistance::BoundaryDistance(const Surface& surface, double reach, double 
     : mesh_(surface, false) {
   caller_.reserve(surface.vertex_count());
   for (uint32_t v = 0; v < surface.vertex_count(); ++v) caller_.push_back(surface.caller_position(v));
-  const PointTree boundary(boundary_samples(surface, edge, cancel.every(64 * kPieces)));
+  const PointTree boundary(boundary_samples(surface, edge, cancel.every(64 * kPiecesPerPoll)));
   refine(boundary, reach, edge, cancel);
   front_ = FrontSearch(AllNodes(mesh_.vertex_count()));
   march(reach + 2 * edge, cancel);
@@ -63,7 +61,7 @@ void BoundaryDistance::refine(const PointTree& boundary, double reach, double ed
       return length != other.length ? length < other.length : half > other.half;
     }
   };
-  CancelToken poll = cancel.every(kPieces);
+  CancelToken poll = cancel.every(kPiecesPerPoll);
   std::priority_queue<Long> queue;
   const auto consider = [&](HalfEdge h) {
     const double length = mesh_.length(h);
@@ -88,7 +86,7 @@ void BoundaryDistance::refine(const PointTree& boundary, double reach, double ed
 }
 
 void BoundaryDistance::march(double last, const CancelToken& cancel) {
-  CancelToken poll = cancel.every(kPieces);
+  CancelToken poll = cancel.every(kPiecesPerPoll);
   for (HalfEdge h = 0; h < mesh_.half_edge_count(); ++h) {
     if (mesh_.face(h) == kNone) front_.offer(mesh_.from(h), 0);
   }

@@ -3,6 +3,7 @@
 // The surface around a point, unrolled along straight lines from it.
 #pragma once
 
+#include "geodesic/constants.h"
 #include "geodesic/geodesic_trace.h"
 
 namespace meander {
@@ -45,9 +46,7 @@ inline Vec2 place_across(const Surface& s, HalfEdge exit, HalfEdge entry, Vec2 p
 }
 
 inline bool Chart::advance_to(const Surface& s, const SurfacePoint& aim, const Vec3& goal, double most) {
-  // A line that ends beside an edge needs another, and on a smooth surface each misses by a small part of the last.
-  constexpr int kMostLines = 4;
-  for (int line = 0; line <= kMostLines; ++line) {
+  for (int line = 0; line <= kMostLinesOfChart; ++line) {
     if (point.face == aim.face) {
       place = place + turn * (flat(s, aim) - flat(s, point));
       point = aim;
@@ -63,7 +62,7 @@ inline bool Chart::advance_to(const Surface& s, const SurfacePoint& aim, const V
       position = goal;
       return true;
     }
-    if (line == kMostLines) break;
+    if (line == kMostLinesOfChart) break;
     const Vec3 chord = goal - position;
     const Vec2 ahead = s.to_plane(point.face, chord);
     const double length = chord.norm(), seen = norm(ahead);

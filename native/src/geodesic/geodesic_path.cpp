@@ -3,20 +3,10 @@
 
 #include <algorithm>
 
+#include "geodesic/constants.h"
+
 namespace meander {
 namespace {
-
-/// Flips are taken while they shorten the path by more than rounding; each one does, so this only
-/// bounds what a degenerate mesh could make of it. The path is valid after every flip. A path through
-/// the faces of a fine mesh takes a few flips for each of them.
-constexpr size_t kMostFlips = 200, kMostFlipsPerCrossing = 20;
-
-/// Ends that walk far sweep over an area, whose vertices the path has to pass one by one. It stays short meanwhile
-/// if it follows them in legs of this many faces.
-constexpr size_t kLeg = 16;
-
-/// Less than half a turn must be less by more than this, so that rounding does not decide.
-constexpr double kLeastTurn = 1e-12;
 
 SurfacePoint middle_of(uint32_t face) { return make_point(face, 1.0 / 3, 1.0 / 3, 1.0 / 3); }
 
@@ -225,7 +215,7 @@ void PathShortener::cross_portals(std::vector<Crossing>& crossings) const {
 PathShape PathShortener::shorten(const SurfacePoint& start, const SurfacePoint& end,
                                  std::vector<Crossing>& crossings) {
   cancel_backtracks(crossings);
-  const size_t most_flips = kMostFlips + kMostFlipsPerCrossing * crossings.size();
+  const size_t most_flips = kMostFlipsOfPath + kMostFlipsOfCrossing * crossings.size();
   for (size_t flips = 0;; ++flips) {
     unfold(start, end, crossings);
     const Vec2 chord = end_ - start_;
@@ -259,7 +249,7 @@ bool PathShortener::lead_to(uint32_t goal, uint32_t from, HalfEdge entry, int fa
 std::optional<PathShape> PathShortener::adopt(const SurfacePoint& start, const SurfacePoint& end,
                                               std::vector<Crossing>& crossings) {
   const uint32_t last = crossings.empty() ? start.face : face_of(crossings.back().twin);
-  for (int faces = 0; faces <= kNear; ++faces) {
+  for (int faces = 0; faces <= kMostMissedFaces; ++faces) {
     if (lead_to(end.face, last, kNone, faces, crossings)) return shorten(start, end, crossings);
   }
   return std::nullopt;
@@ -268,7 +258,7 @@ std::optional<PathShape> PathShortener::adopt(const SurfacePoint& start, const S
 PathShape PathShortener::follow(const SurfacePoint& start, const SurfacePoint& end, std::span<const Crossing> path,
                                 std::span<const Crossing> start_trace, std::span<const Crossing> end_trace,
                                 std::vector<Crossing>& crossings) {
-  const size_t legs = 1 + (start_trace.size() + end_trace.size()) / kLeg;
+  const size_t legs = 1 + (start_trace.size() + end_trace.size()) / kFacesOfLeg;
   PathShape shape;
   for (size_t leg = 0; leg < legs; ++leg) {
     const auto part = [&](std::span<const Crossing> trace) {

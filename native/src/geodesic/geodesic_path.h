@@ -113,7 +113,6 @@ class PathShortener {
   std::optional<PathShape> adopt(const SurfacePoint& start, const SurfacePoint& end, std::vector<Crossing>& crossings);
 
  private:
-  static constexpr int kNear = 3;  // faces that a guess may miss its goal by
   bool lead_to(uint32_t goal, uint32_t from, HalfEdge entry, int faces, std::vector<Crossing>& crossings) const;
   struct Portal {
     Vec2 left, right;               // ends of the crossed edge in the unfolded strip

@@ -3,14 +3,9 @@
 
 #include <array>
 
+#include "geodesic/constants.h"
+
 namespace meander {
-namespace {
-
-/// A walk that crosses more faces than this is cut short: a displacement is at most a few r long, and
-/// no sensible mesh puts so many faces there.
-constexpr int kMostFaces = 100000;
-
-}  // namespace
 
 GeodesicWalk::GeodesicWalk(const Surface& surface, const SurfacePoint& start, Vec2 displacement)
     : surface_(surface), start_(start), direction_(unit(displacement)), wanted_(norm(displacement)) {
@@ -74,7 +69,7 @@ bool GeodesicWalk::step() {
   }
   // Does the axis meet the edge only beyond the end of the walk?
   const auto& [right, left] = face_.ends;
-  ended_ = cross(right, left) >= wanted_ * (left.y - right.y) || crossings_ >= kMostFaces;
+  ended_ = cross(right, left) >= wanted_ * (left.y - right.y) || crossings_ >= kMostFacesOfWalk;
   if (ended_) return false;
   entry_ = surface_.twin(face_.exit);
   ended_ = hit_boundary_ = entry_ == kNone;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geodesic/constants.h"
 #include "geodesic/unfolding.h"
 #include "mesh/surface_point.h"
 
@@ -66,9 +67,6 @@ class GeodesicWalk {
   int crossings_ = 0;
   bool ended_ = false, hit_boundary_ = false;
 };
-
-/// How many walks take turns, or nodes with two walks each: enough that they wait for memory together.
-inline constexpr uint32_t kTogether = 16;
 
 /// Takes all walks, 2 kTogether at most, to their ends in turns; calls crossed(k) after walk k has crossed an edge.
 template <class Crossed>

@@ -10,28 +10,12 @@
 #include "base/eigen.h"
 #include "base/point_grid.h"
 #include "base/spare_memory.h"
+#include "geodesic/constants.h"
 #include "geodesic/patch_cutter.h"
 #include "geodesic/patch_search.h"
 #include "geodesic/patch_sheets.h"
 
 namespace meander {
-namespace {
-
-/// Places farther apart than this through space, in r, are not compared: a ball of about the wanted size ends before.
-constexpr double kReach = 2.8;
-
-/// What is farther along the surface than this, in r, is hidden if it is near through space. That is known by ways over
-/// the middles of patches, which are up to kLonger times as long as the shortest.
-constexpr double kHidden = 3, kLonger = 1.2;
-
-/// Balls reach twice as far as the clamp. Where that is wider than this, in r, it is taken for this: in balls as wide a
-/// sheet that is taken for remote and is not changes little, and searches stay small.
-constexpr double kMostClamp = 10;
-
-/// A crease matters to places within this many r; on a limb, what has turned by more than this (a cosine).
-constexpr double kCreaseReach = 2.2, kCurled = 0.3;
-
-}  // namespace
 
 /// Compares every patch with those that are near it.
 class SurfacePatches::Comparison {
@@ -41,7 +25,7 @@ class SurfacePatches::Comparison {
   Comparison(SurfacePatches& patches, const Cutter& cut, ThreadPool& pool)
       : patches_(patches),
         cut_(cut),
-        grid_(cut.centre, (kReach + Cutter::kSize) * least(cut.r), (kReach + Cutter::kSize) * largest(cut.r)),
+        grid_(cut.centre, (kComparedReach + kPatchSize) * least(cut.r), (kComparedReach + kPatchSize) * largest(cut.r)),
         steps_(patches, cut.centre, pool) {}
 
   void compare(double clamp, ThreadPool& pool) {
@@ -60,7 +44,7 @@ class SurfacePatches::Comparison {
     const bool layered = std::ranges::any_of(patches_.traits_, [](const Traits& t) { return t.hides_same_side; });
     if (!layered) return patches_.sheet_.assign(n, kNone);
     patches_.sheet_ = find_sheets(patches_, hidden, pool.poll(kBlock));
-    const double most = kLonger * 2 * std::min(clamp, kMostClamp) + Cutter::kSize;
+    const double most = kLongerWay * 2 * std::min(clamp, kMostClamp) + kPatchSize;
     add_remote(find_remote_sheets(patches_, hidden, steps_, cut_.r, most, pool));
   }
 
@@ -84,7 +68,7 @@ class SurfacePatches::Comparison {
 
   void compare(uint32_t p, Scratch& scratch, std::vector<uint32_t>& hidden) {
     if (!(cut_.area[p] > 0)) return;
-    const double r = cut_.r[p], far = (kReach + Cutter::kSize) * r;
+    const double r = cut_.r[p], far = (kComparedReach + kPatchSize) * r;
     bool edged = false, opposed = false, hides = false, hides_same_side = false;
     auto& near = scratch.near;
     PatchSearch& search = scratch.search;
@@ -92,7 +76,7 @@ class SurfacePatches::Comparison {
     grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) {
       if (on_one_component(p, q)) {
         near.emplace_back(q, squared);
-      } else if (squared <= kReach * kReach * r * r) {
+      } else if (squared <= kComparedReach * kComparedReach * r * r) {
         // Nothing of it is seen, and nobody has to ask how far it is.
         hides = true;
         hides_same_side = hides_same_side || !patches_.opposite(p, q);
@@ -110,19 +94,19 @@ class SurfacePatches::Comparison {
     traits.opposed = opposed;
     traits.hides = hides;
     traits.hides_same_side = hides_same_side;
-    const auto curled = [&](uint32_t q) { return patches_.normal_[p].dot(patches_.normal_[q]) < kCurled; };
+    const auto curled = [&](uint32_t q) { return patches_.normal_[p].dot(patches_.normal_[q]) < kCurledNormals; };
     scratch.asked.clear();
     for (const auto& [q, squared] : near) {
-      if (std::sqrt(squared) <= kReach * r || curled(q)) scratch.asked.push_back(q);
+      if (std::sqrt(squared) <= kComparedReach * r || curled(q)) scratch.asked.push_back(q);
     }
     // Whether these are not too far from p to be seen from it.
-    const double most = (kHidden + Cutter::kSize) * r;
+    const double most = (kHiddenAlong + kPatchSize) * r;
     search.start_from(p);
     search.spread(steps_, [&](uint32_t) { return most; }, scratch.asked);
     for (const auto& [q, squared] : near) {
       const double apart = std::sqrt(squared);
       if (!search.reached(q)) {
-        if (apart <= kReach * r) hidden.push_back(q);
+        if (apart <= kComparedReach * r) hidden.push_back(q);
       } else if (curled(q)) {
         note_crease(p, apart, Crease::kBlunt, !edged);
       }
@@ -132,8 +116,8 @@ class SurfacePatches::Comparison {
 
   void note_crease(uint32_t p, double apart, Crease crease, bool bend) {
     // Patches are about as far across as voxels are wide.
-    const double distance = std::max(0.0, apart - Cutter::kSize * cut_.r[p]);
-    if (distance > kCreaseReach * cut_.r[p]) return;
+    const double distance = std::max(0.0, apart - kPatchSize * cut_.r[p]);
+    if (distance > kReachOfCrease * cut_.r[p]) return;
     Traits& traits = patches_.traits_[p];
     traits.creased = std::max(traits.creased, crease);
     traits.to_crease = std::min(traits.to_crease, static_cast<float>(distance));

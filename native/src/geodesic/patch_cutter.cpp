@@ -8,27 +8,13 @@
 
 #include "base/clipped_triangle.h"
 #include "base/eigen.h"
+#include "geodesic/constants.h"
 
 namespace meander {
 namespace {
 
-/// Patches smaller than this share of kSize^2 r^2 join others, as long as both come to no more than that, and in no
-/// direction are farther across than this share of kSize r: narrow strips have next to no area.
-constexpr double kSliver = 0.5, kLargest = 1.5, kLongest = 1.75;
-
-/// Faces that differ by less than this (cosines) meet at a crease, and at a sharp edge. A crease of 45 degrees makes
-/// a straight radius 4 % too small or 6 % too large, one of 35 degrees 2 and 3 %, as it lies within the ball.
-constexpr double kCrease = 0.8, kSharp = 0.34;
-
-/// The same for all of a patch: the length of the mean of its unit normals. .96 is an arc with a radius of r.
-constexpr double kCreasedPatch = 0.96, kSharpPatch = 0.8, kBentPatch = 0.7;
-
-/// A patch is coarse if it has no more faces than this for each r^2, as of edges of 1.24 r: there windows take less
-/// time than what they stand in for, docs/medial_axis.md.
-constexpr double kCoarse = 1.5;
-
 /// Faces or half-edges that a thread takes at a time.
-constexpr size_t kAtATime = 8192;
+constexpr size_t kFacesGrain = 8192;
 
 }  // namespace
 
@@ -58,9 +44,8 @@ void SurfacePatches::Cutter::cut(ThreadPool& pool) {
 /// Which cube of space of this size a point is in. The origin is the middle of the surface: cubes are shifted, as
 /// rounding would else scatter a plane through it over both sides.
 uint64_t SurfacePatches::Cutter::voxel(const Vec3& p, double size, uint32_t level) {
-  constexpr double kShift = 0.382;
   const auto cell = [&](double x) {
-    return static_cast<uint64_t>(static_cast<int64_t>(std::floor(x / size + kShift)) & 0x7ffff);
+    return static_cast<uint64_t>(static_cast<int64_t>(std::floor(x / size + kVoxelShift)) & 0x7ffff);
   };
   return cell(p.x()) | cell(p.y()) << 19 | cell(p.z()) << 38 | uint64_t{level} << 57;
 }
@@ -74,7 +59,7 @@ double SurfacePatches::Cutter::radius_at(uint32_t f) const {
 /// Sizes double from level to level, so that neighbours mostly agree about it.
 uint32_t SurfacePatches::Cutter::level_at(uint32_t f) const {
   if (!radius_.varies()) return 0;
-  return static_cast<uint32_t>(std::clamp(std::ilogb(kSize * radius_at(f) / least_size_), 0, 60));
+  return static_cast<uint32_t>(std::clamp(std::ilogb(kPatchSize * radius_at(f) / least_size_), 0, 60));
 }
 
 uint32_t SurfacePatches::Cutter::cell_at(uint32_t f, Vec2 p) const {
@@ -95,7 +80,7 @@ std::pair<uint32_t, double> SurfacePatches::Cutter::longest_side(uint32_t f) con
 void SurfacePatches::Cutter::lay_out_cells(ThreadPool& pool) {
   const size_t faces = s_.face_count();
   std::vector<uint8_t> large(faces);
-  pool.for_each(faces, kAtATime, [&](uint32_t f) {
+  pool.for_each(faces, kFacesGrain, [&](uint32_t f) {
     const double size = size_at(level_at(f));
     large[f] = longest_side(f).second > size * size;
   });
@@ -189,8 +174,8 @@ void SurfacePatches::Cutter::join_in_grids(DisjointSets& sets) {
 
 void SurfacePatches::Cutter::join_across_edges(DisjointSets& sets, ThreadPool& pool) {
   const size_t count = 3 * s_.face_count();
-  std::vector<Seams> seams(ThreadPool::block_count(count, kAtATime));
-  pool.for_blocks(count, kAtATime, [&](size_t block, size_t begin, size_t end) {
+  std::vector<Seams> seams(ThreadPool::block_count(count, kFacesGrain));
+  pool.for_blocks(count, kFacesGrain, [&](size_t block, size_t begin, size_t end) {
     for (auto e = static_cast<HalfEdge>(begin); e < end; ++e) look_across(e, seams[block]);
   });
   for (const Seams& each : seams) {
@@ -206,7 +191,7 @@ void SurfacePatches::Cutter::look_across(HalfEdge e, Seams& seams) const {
   const uint32_t f = face_of(e), g = twin == kNone ? f : face_of(twin);
   if (twin != kNone && twin < e) return;
   const double bend = twin == kNone ? 1 : s_.face_normal(f).dot(s_.face_normal(g));
-  const Crease crease = bend < kSharp ? Crease::kSharp : bend < kCrease ? Crease::kBlunt : Crease::kFlat;
+  const Crease crease = bend < kSharpNormals ? Crease::kSharp : bend < kCreaseNormals ? Crease::kBlunt : Crease::kFlat;
   if (crease != Crease::kFlat) seams.crease_edges.push_back(e);
   const auto note = [&](uint32_t here, uint32_t there) {
     if (crease != Crease::kFlat) seams.crease.push_back({here, crease});
@@ -247,9 +232,9 @@ void SurfacePatches::Cutter::join_slivers(DisjointSets& sets) {
     const uint32_t p = sets.find(a), q = sets.find(b);
     const double size = size_at(level_at(cells_[a].face)), least = std::min(areas[p], areas[q]);
     const double both = areas[p] + areas[q];
-    if (p == q || least > kSliver * size * size || both > kLargest * size * size) continue;
+    if (p == q || least > kSliver * size * size || both > kLargestPatch * size * size) continue;
     const Eigen::AlignedBox3d box = boxes[p].merged(boxes[q]);
-    if (box.sizes().maxCoeff() > kLongest * size) continue;
+    if (box.sizes().maxCoeff() > kLongestPatch * size) continue;
     sets.join(p, q);
     areas[sets.find(p)] = both;
     boxes[sets.find(p)] = box;
@@ -294,13 +279,13 @@ void SurfacePatches::Cutter::list_beside(ThreadPool& pool) {
   std::vector<uint32_t>& first_kept = patches_.first_beside_;
   first_kept.assign(count + 1, 0);
   const auto of = [&](uint32_t p) { return all.begin() + first[p]; };
-  pool.for_each(count, kAtATime, [&](uint32_t p) {
+  pool.for_each(count, kFacesGrain, [&](uint32_t p) {
     std::sort(of(p), of(p + 1));
     first_kept[p + 1] = static_cast<uint32_t>(std::unique(of(p), of(p + 1)) - of(p));
   });
   std::partial_sum(first_kept.begin(), first_kept.end(), first_kept.begin());
   patches_.beside_.resize(first_kept.back());
-  pool.for_each(count, kAtATime, [&](uint32_t p) {
+  pool.for_each(count, kFacesGrain, [&](uint32_t p) {
     std::copy_n(of(p), first_kept[p + 1] - first_kept[p], patches_.beside_.begin() + first_kept[p]);
   });
 }
@@ -338,7 +323,7 @@ void SurfacePatches::Cutter::add_up() {
     if (coherence[p] < kCreasedPatch) traits.own = std::max(traits.own, Crease::kBlunt);
     if (coherence[p] < kSharpPatch) traits.own = Crease::kSharp;
     traits.bent = coherence[p] < kBentPatch;
-    traits.coarse = faces[p] * r[p] * r[p] <= kCoarse * area[p];
+    traits.coarse = faces[p] * r[p] * r[p] <= kCoarsePatch * area[p];
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/large_pages.h"
+#include "geodesic/constants.h"
 #include "geodesic/surface_patches.h"
 
 namespace meander {
@@ -18,12 +19,9 @@ namespace meander {
 /// then make a patch.
 class SurfacePatches::Cutter {
  public:
-  /// How far patches are across, in r.
-  static constexpr double kSize = 1;
-
   /// Refers to all three; what it finds of the patches goes into the first.
   Cutter(SurfacePatches& patches, const Surface& surface, const RadiusField& radius)
-      : patches_(patches), s_(surface), radius_(radius), least_size_(kSize * radius.least()) {}
+      : patches_(patches), s_(surface), radius_(radius), least_size_(kPatchSize * radius.least()) {}
 
   /// What is known of the patches besides. One entry for each.
   std::vector<Vec3> centre;

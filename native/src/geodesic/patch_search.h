@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "geodesic/constants.h"
 #include "geodesic/surface_patches.h"
 
 namespace meander {
@@ -23,11 +24,6 @@ class PatchSteps {
     uint32_t to;
     double length;
   };
-  /// Neighbours are passed where the normals of all three differ by less than kAlike (a cosine), which makes the
-  /// straight line a way along the surface, and where that is at most kShorter times as long as both steps.
-  static constexpr double kAlike = 0.5, kShorter = 0.85;
-  /// A patch that touches more than this is not passed: the root of a thousand hairs would join each to all others.
-  static constexpr size_t kMostBeside = 64;
 
   /// `centre`  of the patches
   PatchSteps(const SurfacePatches& patches, const std::vector<Vec3>& centre, ThreadPool& pool) {
@@ -51,13 +47,13 @@ class PatchSteps {
                   std::vector<Step>& steps) {
     const size_t first = steps.size();
     const auto length = [&](uint32_t a, uint32_t b) { return (centre[a] - centre[b]).norm(); };
-    const auto alike = [&](uint32_t a, uint32_t b) { return patches.normal(a).dot(patches.normal(b)) >= kAlike; };
+    const auto alike = [&](uint32_t a, uint32_t b) { return patches.normal(a).dot(patches.normal(b)) >= kWayNormals; };
     for (const uint32_t q : patches.beside(p)) steps.push_back({q, length(p, q)});
     for (const uint32_t q : patches.beside(p)) {
-      if (!alike(p, q) || patches.beside(q).size() > kMostBeside) continue;
+      if (!alike(p, q) || patches.beside(q).size() > kMostBesidePatch) continue;
       for (const uint32_t beyond : patches.beside(q)) {
         const double straight = length(p, beyond);
-        if (!(straight < kShorter * (length(p, q) + length(q, beyond)))) continue;
+        if (!(straight < kShorterWay * (length(p, q) + length(q, beyond)))) continue;
         if (beyond == p || !alike(p, beyond) || !alike(q, beyond)) continue;
         const bool known = std::any_of(steps.begin() + static_cast<ptrdiff_t>(first), steps.end(),
                                        [&](const Step& step) { return step.to == beyond; });

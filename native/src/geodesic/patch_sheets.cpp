@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/spare_memory.h"
+#include "geodesic/constants.h"
 
 namespace meander {
 namespace {
@@ -17,9 +18,6 @@ std::vector<std::vector<uint32_t>> turned_round(const std::vector<std::vector<ui
   }
   return from;
 }
-
-/// Sheets of fewer patches hardly reach beyond what patches are compared with one by one.
-constexpr size_t kLeastMembers = 8;
 
 /// A sheet, and the patches beside it that hide anything of it, where it is not too small.
 struct HiddenSheet {
@@ -37,7 +35,7 @@ std::vector<HiddenSheet> hidden_sheets(const SurfacePatches& patches,
     if (!patches.hides_same_side(p)) continue;
     for (const uint32_t q : hidden[p]) {
       auto& [members, by] = sheets[patches.sheet_of(q)];
-      if (members.size() < kLeastMembers) continue;
+      if (members.size() < kLeastOfSheet) continue;
       if (by.empty() || by.back() != p) by.push_back(p);
     }
   }

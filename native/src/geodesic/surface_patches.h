@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/point_tree.h"
+#include "geodesic/constants.h"
 #include "mesh/radius_field.h"
 
 namespace meander {
@@ -104,8 +105,6 @@ class SurfacePatches {
 
  private:
   static constexpr uint32_t kGridded = 1u << 31;
-  /// Creases are known by points that are at most this far apart, in r, and a little less from any place on them.
-  static constexpr double kCreaseStep = 0.25, kCreaseSlack = 0.6 * kCreaseStep;
   enum class Crease : uint8_t { kFlat, kBlunt, kSharp };
   /// A face larger than a patch: cells side by side in its plane, along its longest edge.
   struct Grid {

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "geodesic/constants.h"
 #include "geodesic/unfolding.h"
 
 namespace meander {
@@ -23,7 +24,7 @@ void PointsOfFaces::sort_within_faces(const Surface& surface, ThreadPool& pool) 
   constexpr size_t kBlock = 1024;
   pool.for_each(first_.size() - 2, kBlock, [&](uint32_t f) {
     const std::span<Item> items = std::span(items_).subspan(first_[f], first_[f + 1] - first_[f]);
-    if (items.size() <= kFew) return;
+    if (items.size() <= kFewPointsOfFace) return;
     const uint32_t corner = across(surface, f);
     std::sort(items.begin(), items.end(), [&](const Item& a, const Item& b) {
       const double of_a = weight(a.b, corner), of_b = weight(b.b, corner);
@@ -48,7 +49,7 @@ inline void WindowSearch::look_at(uint32_t face, Vec2 c0, Vec2 c1, Vec2 c2, cons
   if (points.empty()) return;
   const Vec2 e1 = c1 - c0, e2 = c2 - c0;
   auto first = points.begin(), last = points.end();
-  if (points.size() > PointsOfFaces::kFew) {
+  if (points.size() > kFewPointsOfFace) {
     // They are in an order across the face, from an edge on: only a strip of it is as near as the disc.
     const uint32_t corner = PointsOfFaces::across(surface_, face);
     const Vec2 corners[3] = {c0, c1, c2}, edge_start = corners[next_corner(corner)];
@@ -88,7 +89,7 @@ std::optional<double> WindowSearch::largest(const SurfacePoint& from, uint32_t s
     const Window w = stack_.back();
     stack_.pop_back();
     if (w.met != least_ && !meets(w.right, w.left)) continue;
-    if (++opened > kMostWindows) return std::nullopt;
+    if (++opened > kMostWindowsOfBall) return std::nullopt;
     open(w);
   }
   return least_;

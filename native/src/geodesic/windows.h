@@ -34,12 +34,11 @@ class PointsOfFaces {
     sort_within_faces(surface, pool);
   }
 
-  /// Those of a face: from the edge opposite to across(surface, face) on if there are more than kFew, else in the order
-  /// of their indices.
+  /// Those of a face: from the edge opposite to across(surface, face) on if there are more than kFewPointsOfFace, else
+  /// in the order of their indices.
   std::span<const Item> of(uint32_t face) const {
     return std::span(items_).subspan(first_[face], first_[face + 1] - first_[face]);
   }
-  static constexpr size_t kFew = 16;
 
   /// The corner of a face that is farthest from the opposite edge: points far from one another along a thin face are so
   /// in their order then.
@@ -66,15 +65,13 @@ class WindowSearch {
   WindowSearch(const Surface& surface, const PointsOfFaces& points) : surface_(surface), points_(points) {}
 
   /// The radius of the largest empty ball on one side of a point, at most `most`; nullopt if that takes more than
-  /// kMostWindows.
+  /// kMostWindowsOfBall.
   ///
   /// `self`   the index of the point, which does not count
   /// `ahead`  unit, in the plane of the point's face
   std::optional<double> largest(const SurfacePoint& from, uint32_t self, Vec2 ahead, double most);
   /// The index of what limits the last ball; kNone if nothing does.
   uint32_t touched() const { return touched_; }
-
-  static constexpr size_t kMostWindows = 100;
 
  private:
   /// Places are from the node, which looks along the x axis.
