@@ -16,16 +16,20 @@ FILES = sorted(SOURCES.glob("*/constants.h"))
 HEADINGS = re.findall(r"^#+ (.*)$", (ROOT / "docs" / "decisions.md").read_text(), re.MULTILINE)
 LINE = re.compile(r"constexpr \w+ (k\w+) = ([^;]+);\s*// ([^;]+); ([^;]+); (.+)")
 NUMBERS = {"pi": math.pi, "sqrt2": math.sqrt(2.0)}
-# Rooms that have all their numbers in the table.
-COMPLETE = ("mesh", "geodesic")
+# Rooms that have all their numbers in the table, and files of theirs that do not yet.
+COMPLETE = {
+    "mesh": (),
+    "geodesic": (),
+    "outputs": ("cost.cpp", "map_distances.cpp", "middle_lines.cpp"),
+}
 NUMBER = re.compile(
-    r"^(?:inline |static )*constexpr (?:double|float|int|(?:std::)?(?:u?int\d+|size)_t)"
+    r"^(?:inline |static )*constexpr (double|float|int|(?:std::)?(?:u?int\d+|size)_t)"
     r"((?:\s+k\w+ = [^;,]+,?)+);",
     re.MULTILINE,
 )
 # What may stand beside its code: a name for no element, and how much is done at a time, which is
 # counted in pieces.
-NOTHING = re.compile(r"UINT32_MAX|std::numeric_limits<\w+>::\w+\(\)")
+NOTHING = re.compile(r"UINT32_MAX|-\d")
 AT_A_TIME = re.compile(r"k\w+(?:PerPoll|PerBlock|Grain)|kPiecesPer\w+")
 FIGURES = re.compile(r'\d|"\w+: ')  # numbers, or the subject of a commit that has them
 
@@ -94,17 +98,21 @@ def numbers_beside_code(text: str) -> list[str]:
     """Names of the numbers that a file declares for all of it and that belong into a table."""
     return [
         name
-        for declared in NUMBER.findall(re.sub(r"//[^\n]*", "", text))
+        for kind, declared in NUMBER.findall(re.sub(r"//[^\n]*", "", text))
         for name, value in re.findall(r"(k\w+) = ([^,]+)", declared)
-        if not NOTHING.fullmatch(value) and not AT_A_TIME.fullmatch(name)
+        if kind == "double" or not (NOTHING.fullmatch(value) or AT_A_TIME.fullmatch(name))
     ]
 
 
 @pytest.mark.parametrize("room", COMPLETE)
 def test_numbers_stand_in_the_table_of_their_room(room: str) -> None:
-    files = {path for path in (SOURCES / room).iterdir() if path.name != "constants.h"}
-    beside = {path.name: numbers_beside_code(path.read_text()) for path in files}
-    assert not {name: numbers for name, numbers in beside.items() if numbers}
+    beside = {
+        path.name: numbers_beside_code(path.read_text())
+        for path in (SOURCES / room).iterdir()
+        if path.name != "constants.h"
+    }
+    beside = {name: numbers for name, numbers in beside.items() if numbers}
+    assert set(beside) == set(COMPLETE[room]), beside
 
 
 @pytest.mark.parametrize(
@@ -114,7 +122,8 @@ def test_numbers_stand_in_the_table_of_their_room(room: str) -> None:
         ("inline constexpr uint32_t kFew = 3, kMany = 4;  // both", ["kFew", "kMany"]),
         ("constexpr double kNear = 1,\n                 kFar = 2;", ["kNear", "kFar"]),
         ("constexpr size_t kMost = size_t{1} << 30;", ["kMost"]),
-        ("constexpr uint32_t kNobody = UINT32_MAX;", []),
+        ("constexpr uint32_t kNobody = UINT32_MAX;\nconstexpr int32_t kNoFace = -1;", []),
+        ("constexpr double kPull = -1;", ["kPull"]),
         ("constexpr uint32_t kPiecesPerPoll = 1u << 14;\nconstexpr size_t kPointGrain = 256;", []),
         ("// constexpr double kNear = 0.5;\n  constexpr double kHere = 0.5;", []),
     ],

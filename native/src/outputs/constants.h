@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The constants that decide what is said and drawn of a curve. Each line has the unit, the range, and what chose the
-// value: a heading of docs/decisions.md in quotes; "geometry", where it follows from what is said above it; or "free",
-// where the first value that was tried has stayed. What only saves time, and limits of rounding, stand beside their
-// code. tests/core/test_constants.py reads these lines.
+// The constants that decide what is said and drawn of a curve; curve/constants.h says how to read a line.
 #pragma once
+
+#include <cstdint>
 
 namespace meander {
 
@@ -47,6 +46,10 @@ inline constexpr double kSlackBesideNode = 3;       // kFlatWay; >= 1; free
 
 // ---- Empty places ---------------------------------------------------------------------------------------------------
 
+/// The size from which on a place is a gap, where the caller does not say. Between parallel strands at the wanted
+/// spacing it is 1; between the tips of two hairpins and a straight strand it is 1.5 if nothing gives way, so a good
+/// filling still has some of these, a little smaller.
+inline constexpr double kGapSize = 1.2;             // r; > 1; free
 /// Places of a larger size are empty: a filled surface has hardly any.
 inline constexpr double kEmptySize = 1.6;           // r; > 1.5; geometry
 /// The surface that is connected to a place is looked at up to this far from it.
@@ -62,6 +65,61 @@ inline constexpr double kAsNarrow = 1.5;            // r; >= 0; free
 /// farther from all of them lies in a sharper corner. How finely they are looked for.
 inline constexpr double kRightAngle = 1.45;         // r; > 1.414; geometry
 inline constexpr double kCornerFinest = 0.02;       // r; > 0; free
+
+/// What is gathered of the curve for places nearby reaches this much farther than the first of them needs.
+inline constexpr double kGatherMargin = 0.5;        // r; >= 0; free
+/// A geodesic and its rounded end differ by less than this.
+inline constexpr double kRoundedEnd = 0.001;        // r; 0 to 1; free
+/// Rounding changes a distance by less than this.
+inline constexpr double kDistanceRounding = 1e-6;   // share of it; 0 to 1; free
+
+/// Places this much smaller than a gap may still climb to one: the centre of a ball is within about a segment of the
+/// maximum that its node touches. Of two starts that are nearer to each other than kSameStart only the larger climbs:
+/// both would come to the same place.
+inline constexpr double kPromisingStart = 0.9;      // share of the gap; 0 to 1; free
+inline constexpr double kSameStart = 0.5;           // radii of the larger; 0 to 1; free
+/// A climb tries so many directions, and ends with steps of kFinestClimb. A step must gain at least kLeastGain: one
+/// that the boundary ends at once also goes a little way along it, and a climb of such steps would never come to
+/// shorter ones.
+inline constexpr int kClimbDirections = 8;          // directions; >= 3; free
+inline constexpr double kFinestClimb = 0.005;       // r; > 0; free
+inline constexpr int kMostClimbSteps = 200;         // steps; >= 1; free
+inline constexpr double kLeastGain = 1e-3;          // share of the step; 0 to 1; free
+/// A place beside a corner has this weight of the other two.
+inline constexpr double kBesideCorner = 0x1p-8;     // barycentric; 0 to 0.5; free
+/// How much of a search, about, is over when all places have been looked at, and when all climbs have ended.
+inline constexpr double kProgressLooked = 0.7;      // share of the search; 0 to 1; free
+inline constexpr double kProgressClimbed = 0.95;    // share of the search; kProgressLooked to 1; free
+
+// ---- The cut, and distances from the line ---------------------------------------------------------------------------
+
+/// Vertices inside of a face of the cut keep this away from what is there.
+inline constexpr double kClearOfVertices = 0.5;     // details; > 0; free
+/// More vertices than this have no room in 32-bit numbers of edges: there are three edges to each, and two half-edges
+/// to an edge.
+inline constexpr double kMostCutVertices = 2e8;     // vertices; 0 to 357913941; geometry
+
+/// Where the nearest places of two points on the line move faster than this, over the way between the points, they are
+/// places of different turns. On the inside of a bend they move as fast as one likes close to its centre.
+inline constexpr double kFastestAlongLine = 4;      // times; > 1; free
+/// Where the square of the way between those places is less than this share of what it is beside a straight line, they
+/// count as one point.
+inline constexpr double kOnePointSource = 0.25;     // share of it; 0 to 1; free
+/// The straight distance counts where the normals at its ends are within 20 degrees: it is at most 1.6 % shorter then
+/// than the way along the surface.
+inline constexpr double kFlatNormals = 0.94;        // cosine; 0 to 1; geometry
+
+// ---- Maps and numbers -----------------------------------------------------------------------------------------------
+
+/// A pixel on the edge between two triangles of a map belongs to both. One that is farther inside than kInsideOfFace of
+/// two triangles shows that the map lies on itself there.
+inline constexpr double kOnMapEdge = 1e-9;          // share of the height; > 0; free
+inline constexpr double kInsideOfFace = 1e-3;       // share of the height; > kOnMapEdge; free
+
+/// 17 significant digits are enough to read the same double again.
+inline constexpr uint32_t kMostDigits = 17;         // digits; >= 1; geometry
+/// A number of 53 bits times 10^22 has 127 bits and is exact in 128; 10^23 would be too much.
+inline constexpr int kMostPowerOfTen = 22;          // powers; >= 0; geometry
 
 // ---- Figures --------------------------------------------------------------------------------------------------------
 

@@ -7,21 +7,16 @@
 
 #include "base/failure.h"
 #include "mesh/face_triangulation.h"
+#include "outputs/constants.h"
 
 namespace meander {
 namespace {
 
-/// Vertices are added in the inside of a face no nearer than this to what is there, in units of the detail.
-constexpr double kClear = 0.5;
-
 /// Pieces of work that a point counts for which is put into a triangulation.
-constexpr size_t kInsertion = 16;
-
-/// More vertices than this have no room in 32-bit numbers of edges.
-constexpr double kMostVertices = 2e8;
+constexpr size_t kPiecesPerInsertion = 16;
 
 void check_room(double vertices) {
-  if (vertices < kMostVertices) return;
+  if (vertices < kMostCutVertices) return;
   throw Failure(FailureKind::kInvalidArgument,
                 "The cut mesh would have more than 200 million vertices; choose a larger detail.");
 }
@@ -152,7 +147,7 @@ class CutMesh::Builder {
   }
 
   void divide(HalfEdge h, HalfEdge e, double t, uint32_t vertex) {
-    poll_(kInsertion);
+    poll_(kPiecesPerInsertion);
     const HalfEdge twin = surface_.twin(e);
     triangulation_.split_side(h, vertex, on_edge(e, t), twin == kNone ? Vec2{} : on_edge(twin, 1 - t));
   }
@@ -167,7 +162,7 @@ class CutMesh::Builder {
     point = 0;
     for (uint32_t i = strand.first; i < strand.end() && curve_.has_segment(i); ++i) {
       curve_.pieces_of(i, [&](const Piece& p) {
-        poll_(kInsertion);
+        poll_(kPiecesPerInsertion);
         const uint32_t from = mesh_.line_[line.first + point];
         point = point + 1 == line.count ? 0 : point + 1;
         if (!triangulation_.constrain(p.face, from, mesh_.line_[line.first + point], p.to)) refuse(p.face);
@@ -181,7 +176,7 @@ class CutMesh::Builder {
   }
 
   void insert(uint32_t f, uint32_t vertex, Vec2 at) {
-    poll_(kInsertion);
+    poll_(kPiecesPerInsertion);
     if (!triangulation_.insert(f, vertex, at)) refuse(f);
   }
 
@@ -199,8 +194,8 @@ class CutMesh::Builder {
       for (double x = (std::floor((left - offset) / detail_) + 1) * detail_ + offset; x < right; x += detail_) {
         const Vec2 at{snap((x - share * c2.x) / c1.x), snap(share)};
         if (!(at.x > 0) || !(at.y > 0) || !(at.x + at.y < 1)) continue;
-        poll_(kInsertion);
-        if (triangulation_.is_clear(f, at, kClear * detail_)) insert(f, mesh_.add_vertex({f, at}), at);
+        poll_(kPiecesPerInsertion);
+        if (triangulation_.is_clear(f, at, kClearOfVertices * detail_)) insert(f, mesh_.add_vertex({f, at}), at);
       }
     }
   }

@@ -11,9 +11,9 @@ namespace {
 using CornerWeights = std::array<double, 3>;
 
 /// What is done between two asks: less than a millisecond.
-constexpr uint32_t kPieces = 4096;
+constexpr uint32_t kPiecesPerPoll = 4096;
 /// Pieces that a vertex or face counts for which is put out.
-constexpr size_t kOutput = 16;
+constexpr size_t kPiecesPerOutput = 16;
 
 CornerWeights weights_at(Vec2 b) { return {1 - b.x - b.y, b.x, b.y}; }
 
@@ -27,7 +27,7 @@ std::vector<uint32_t> put_vertices(const Surface& surface, const MeshMap* map, c
   out.vertex_weights.reserve(mesh.vertex_count());
   std::vector<uint32_t> numbers(mesh.vertex_count(), kNone);
   for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    poll(kOutput);
+    poll(kPiecesPerOutput);
     if (mesh.isolated(v)) continue;
     numbers[v] = static_cast<uint32_t>(out.positions.size());
     const CutMesh::InFace& place = mesh.place(v);
@@ -53,7 +53,7 @@ void put_faces(const Surface& surface, const MeshMap* map, const CutMesh& mesh, 
   out.face_distances.reserve(count);
   out.corner_weights.reserve(count);
   for (uint32_t f = 0; f < count; ++f) {
-    poll(kOutput);
+    poll(kPiecesPerOutput);
     const uint32_t origin = mesh.origin(f);
     const FaceLine& line = fields.of_face(f);
     out.origins.push_back(map ? map->face(origin) : origin);
@@ -95,7 +95,7 @@ void put_line(const Surface& surface, const CutMesh& mesh, const std::vector<uin
 
 CutSurface cut_surface(const Surface& surface, const MeshMap* map, const Curve& curve, double detail,
                        bool middle_lines, const CancelToken& cancel) {
-  CancelToken poll = cancel.every(kPieces);
+  CancelToken poll = cancel.every(kPiecesPerPoll);
   CutMesh mesh(surface, curve, detail / surface.scale(), poll);
   LineDistance distance(mesh, poll);
   if (middle_lines) add_middle_lines(mesh, distance, poll);

@@ -13,15 +13,6 @@
 namespace meander {
 namespace {
 
-/// What is gathered of the curve for points nearby reaches this many r farther than the first of them needs.
-constexpr double kGatherMargin = 0.5;
-
-/// A geodesic inside of a face, and its rounded end, differ by less than this share of r.
-constexpr double kRounded = 0.001;
-
-/// Rounding of a distance, as a share of it, is less than this.
-constexpr double kRounding = 1e-6;
-
 /// The point of a straight piece that is nearest to x.
 Vec3 nearest_of(const Vec3& x, const Vec3& from, const Vec3& to) {
   const Vec3 along = to - from;
@@ -296,7 +287,7 @@ bool EmptinessNearby::surely_below(const SurfacePoint& p, Vec2 displacement, dou
   const SurfacePoint end{p.face, p.b + Vec2{x, y}};
   if (!(end.b.x > 0 && end.b.y > 0 && end.weight(0) > 0)) return false;  // in another face
   if (!emptiness_.straight(end)) return false;
-  return lately_closer(position(surface, end), (1 - kRounded) * size * emptiness_.local_radius(end));
+  return lately_closer(position(surface, end), (1 - kRoundedEnd) * size * emptiness_.local_radius(end));
 }
 
 /// Whether one of the parts that were too near elsewhere is nearer to x than `distance`.
@@ -338,7 +329,7 @@ void EmptinessNearby::gather(const SurfacePoint& p, double margin) {
   middle_ = position(emptiness_.surface_, p);
   const double nearest = std::sqrt(around.tree.nearest(middle_)->squared_distance);
   covered_ = nearest + margin;
-  const double reach = (1 + kRounding) * (covered_ + emptiness_.longest_half_);
+  const double reach = (1 + kDistanceRounding) * (covered_ + emptiness_.longest_half_);
   around.tree.within(middle_, reach * reach, found_);
   nodes_.clear();
   parts_.clear();

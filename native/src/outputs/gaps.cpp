@@ -12,35 +12,14 @@
 #include "base/elementary.h"
 #include "base/point_tree.h"
 #include "geodesic/geodesic_trace.h"
+#include "outputs/constants.h"
 
 namespace meander {
 namespace {
 
-/// Starts this much smaller than a gap may still climb to one: a ball's centre is within about a
-/// segment of the maximum that its node touches.
-constexpr double kPromising = 0.9;
-
-/// A geodesic and its rounded end differ by less than this share of r.
-constexpr double kSurely = 0.999;
-
-/// Starts within this share of a larger one's radius would climb to the same place.
-constexpr double kSameStart = 0.5;
-
-/// The climb tries this many directions, and ends at a step of this many r.
-constexpr int kDirections = 8;
-constexpr double kFinestStep = 0.005;
-constexpr int kMostSteps = 200;
-
 /// Places that are compared, or looked at, between two asks whether to go on.
-constexpr uint32_t kCompared = 4096;
-constexpr uint32_t kPlaces = 256;
-
-/// What of a search, about, is over when all places have been looked at, and when all climbs have ended.
-constexpr double kLooked = 0.7, kClimbed = 0.95;
-
-/// A step must gain at least this share of its length: one that the boundary ends at once also goes a little way along
-/// it, and a climb of such steps would never come to shorter ones.
-constexpr double kLeastSlope = 1e-3;
+constexpr uint32_t kComparedPerPoll = 4096;
+constexpr uint32_t kPlacesPerPoll = 256;
 
 SurfacePoint trace_end(const Surface& surface, const SurfacePoint& start, Vec2 displacement) {
   GeodesicWalk walk(surface, start, displacement);
@@ -51,27 +30,26 @@ SurfacePoint trace_end(const Surface& surface, const SurfacePoint& start, Vec2 d
 
 /// Next to where a half-edge begins.
 SurfacePoint beside_corner(HalfEdge e) {
-  constexpr double kAside = 0x1p-8;
-  std::array<double, 3> weights{kAside, kAside, kAside};
-  weights[corner_of(e)] = 1 - 2 * kAside;
+  std::array<double, 3> weights{kBesideCorner, kBesideCorner, kBesideCorner};
+  weights[corner_of(e)] = 1 - 2 * kBesideCorner;
   return make_point(face_of(e), weights[0], weights[1], weights[2]);
 }
 
 /// Climbs to a local maximum of the size by a pattern search: the distance has creases where the
 /// nearest strand changes, so it has no gradient just where the maxima are.
 Gap climb(const Emptiness& emptiness, Gap gap) {
-  const double finest = kFinestStep * emptiness.local_radius(gap.centre);
-  const double eighth = 2 * std::numbers::pi / kDirections;
+  const double finest = kFinestClimb * emptiness.local_radius(gap.centre);
+  const double eighth = 2 * std::numbers::pi / kClimbDirections;
   const Vec2 turn{elementary::cos(eighth), elementary::sin(eighth)};
   // Other directions after every failure, so that neither a crease nor the boundary hides where the size grows.
   const Vec2 offset{elementary::cos(0.382 * eighth), elementary::sin(0.382 * eighth)};
   Vec2 direction{1, 0};
   double step = 0.25 * gap.radius;
   EmptinessNearby nearby(emptiness);
-  for (int round = 0; round < kMostSteps && step > finest; ++round) {
+  for (int round = 0; round < kMostClimbSteps && step > finest; ++round) {
     Gap best = gap;
-    const double gain = kLeastSlope * step / emptiness.local_radius(gap.centre);
-    for (int k = 0; k < kDirections; ++k) {
+    const double gain = kLeastGain * step / emptiness.local_radius(gap.centre);
+    for (int k = 0; k < kClimbDirections; ++k) {
       direction = direction * turn;
       if (nearby.surely_below(gap.centre, step * direction, best.size)) continue;
       const SurfacePoint end = trace_end(emptiness.surface(), gap.centre, step * direction);
@@ -159,15 +137,15 @@ Found look_everywhere(const Flow::Present& present, const Emptiness& emptiness, 
   const Frames& frames = present.medial.frames;
   const NodeData<Radii>& radii = present.medial.radii;
   ThreadPool& pool = present.pool;
-  const double surely_small = kSurely * promising * domain.judged_radius().least();
+  const double surely_small = (1 - kRoundedEnd) * promising * domain.judged_radius().least();
   const size_t balls = 2 * size_t{curve.size()};
   const size_t middles = balls + surface.face_count(), count = middles + surface.boundary().size();
   constexpr size_t kBlock = 512;
   std::vector<Found> blocks(ThreadPool::block_count(count, kBlock));
-  told.begin(0, kLooked, blocks.size());
+  told.begin(0, kProgressLooked, blocks.size());
   pool.for_blocks(count, kBlock, [&](size_t block, size_t begin, size_t end) {
     Found& found = blocks[block];
-    EmptyFaces faces(emptiness, strip, pool.poll(kPlaces));
+    EmptyFaces faces(emptiness, strip, pool.poll(kPlacesPerPoll));
     for (size_t k = begin; k < end; ++k) {
       SurfacePoint start;
       if (k < balls) {
@@ -208,22 +186,22 @@ Gaps emptiest_places(const Flow::Present& present, double least_size, Told& told
                             domain.patches.get());
   const bool along_surface = domain.patches != nullptr;
   const EmptyStrip strip{*domain.boundary, present.state.settings.boundary_distance};
-  const Found found = look_everywhere(present, emptiness, strip, kPromising * least_size, told);
+  const Found found = look_everywhere(present, emptiness, strip, kPromisingStart * least_size, told);
 
-  std::vector<Gap> gaps = apart(surface, found.starts, kSameStart, along_surface, pool.poll(kCompared));
+  std::vector<Gap> gaps = apart(surface, found.starts, kSameStart, along_surface, pool.poll(kComparedPerPoll));
   constexpr size_t kClimbs = 2;
-  told.begin(kLooked, kClimbed, ThreadPool::block_count(gaps.size(), kClimbs));
+  told.begin(kProgressLooked, kProgressClimbed, ThreadPool::block_count(gaps.size(), kClimbs));
   pool.for_blocks(gaps.size(), kClimbs, [&](size_t, size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) gaps[k] = climb(emptiness, gaps[k]);
     told.block();
   });
-  gaps = apart(surface, gaps, 1, along_surface, pool.poll(kCompared));
+  gaps = apart(surface, gaps, 1, along_surface, pool.poll(kComparedPerPoll));
   std::erase_if(gaps, [&](const Gap& gap) {
     const double r = gap.radius / gap.size;
     return gap.radius - strip.wanted_at(position(surface, gap.centre), r) < least_size * r;
   });
   pool.for_blocks(gaps.size(), 2, [&](size_t, size_t begin, size_t end) {
-    CancelToken poll = pool.poll(kPlaces);
+    CancelToken poll = pool.poll(kPlacesPerPoll);
     for (size_t k = begin; k < end; ++k) gaps[k].narrow = is_narrow(emptiness, gaps[k].centre, poll);
   });
   const double area = surface.area();

@@ -7,14 +7,10 @@
 #include <vector>
 
 #include "flow/flow.h"
+#include "outputs/constants.h"
 #include "outputs/empty_area.h"
 
 namespace meander {
-
-/// Size from which on a place is called a gap, where the caller does not say. Between parallel strands
-/// at the wanted spacing it is 1. Between the tips of two hairpins and a straight strand it is 1.5 if
-/// nothing gives way, so a good filling still has some of these, a little smaller.
-inline constexpr double kGapSize = 1.2;
 
 /// What a curve leaves empty.
 struct Gaps {
@@ -42,7 +38,8 @@ struct Gaps {
 /// Where a strip along the boundary is to stay empty, only what lies farther from the curve than the strip asks for is
 /// a gap, or empty. Centres are on Flow::surface(), radii in its unit. See Flow::ask for what changes, and
 /// for `cancel`. `told`, where it is given, goes from 0 to 1 on the way.
-Gaps find_gaps(Flow& flow, double least_size, const CancelToken& cancel = {}, std::atomic<double>* told = nullptr);
+Gaps find_gaps(Flow& flow, double least_size = kGapSize, const CancelToken& cancel = {},
+               std::atomic<double>* told = nullptr);
 /// The same, where more is asked at once.
 Gaps find_gaps(const Flow::Present& present, double least_size, std::atomic<double>* told = nullptr);
 

@@ -7,24 +7,13 @@
 #include "base/eigen.h"
 #include "base/elementary.h"
 #include "geodesic/marching.h"
+#include "outputs/constants.h"
 
 namespace meander {
 namespace {
 
-/// Nearest places move no faster along the line than this, relative to the point that they belong to, or they are taken
-/// for places of different turns. On the inside of a bend they move as fast as one likes close to its centre.
-constexpr double kFastest = 4;
-
 /// Pieces of work that a corner counts for where the front passes.
-constexpr size_t kPassing = 16;
-
-/// Where the square of the way between the nearest places of two points is less than this share of what it is beside a
-/// straight line, the places count as one point.
-constexpr double kPointSource = 0.25;
-
-/// The straight distance counts where the normals at its ends differ by less than this, as a cosine: 20 degrees. It is
-/// then at most 1.6 per cent shorter than the way along the surface.
-constexpr double kFlat = 0.94;
+constexpr size_t kPiecesPerPassing = 16;
 
 /// The nearer one comes first, and of equally near ones the first on the line.
 auto before(const NearestOnLine& n) { return std::tuple(n.distance, n.strand, n.along); }
@@ -96,7 +85,7 @@ bool LineDistance::one_sheet(HalfEdge corner, const NearestOnLine& a, HalfEdge o
   if (a.strand != b.strand || a.side != b.side || a.strand == kNone) return false;
   const uint32_t p = mesh_.line_point(mesh_.from(corner)), q = mesh_.line_point(mesh_.from(other));
   if (p != kNone && q != kNone) return mesh_.next_point(p) == q || mesh_.previous_point(p) == q;
-  return std::abs(between(a, b)) <= kFastest * (place(other) - place(corner)).norm();
+  return std::abs(between(a, b)) <= kFastestAlongLine * (place(other) - place(corner)).norm();
 }
 
 void LineDistance::march(CancelToken& poll) {
@@ -111,7 +100,7 @@ void LineDistance::march(CancelToken& poll) {
   }
   while (const auto vertex = front.next()) {
     reach_from(mesh_, front, *vertex, [&](HalfEdge at, HalfEdge corner, HalfEdge other, bool passed) {
-      poll(kPassing);
+      poll(kPiecesPerPassing);
       const uint32_t v = mesh_.from(corner);
       NearestOnLine n = passed ? across(at, other, corner) : by_edge(at, corner);
       straighten(n, mesh_.position(v), mesh_.origin(mesh_.face(corner)));
@@ -139,7 +128,7 @@ NearestOnLine LineDistance::across(HalfEdge a, HalfEdge b, HalfEdge c) const {
   if (!front.is_possible()) return by_edges;
   const double length = front.length, moved = between(from, to);
   double foot = front.foot(), distance = front.distance();
-  if (moved * moved < kPointSource * front.rise * front.rise * length * length) {
+  if (moved * moved < kOnePointSource * front.rise * front.rise * length * length) {
     // A bend of the line or its end: the front is a circle.
     const double sx = (from.distance * from.distance - to.distance * to.distance + length * length) / (2 * length);
     const double sy = std::sqrt(std::max(0.0, from.distance * from.distance - sx * sx));
@@ -174,7 +163,7 @@ void LineDistance::follow(const std::vector<NearestOnLine>& more, CancelToken& p
 /// Does the face in which a piece of the line lies, if there is one, hardly differ from this normal?
 bool LineDistance::flat_from(uint32_t piece, const Vec3& normal) const {
   if (piece == kNone || piece_face_[piece] == kNone) return false;
-  return normal.dot(mesh_.surface().face_normal(piece_face_[piece])) >= kFlat;
+  return normal.dot(mesh_.surface().face_normal(piece_face_[piece])) >= kFlatNormals;
 }
 
 /// Goes along the line to where it is nearest to x, and measures the straight distance from there.

@@ -10,7 +10,7 @@ namespace meander {
 namespace {
 
 /// Pieces of work that a face counts for whose place is found.
-constexpr size_t kPlace = 16;
+constexpr size_t kPiecesPerPlace = 16;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ LineFields::LineFields(const CutMesh& mesh, const LineDistance& distance, Cancel
 /// follows from there.
 void LineFields::find_places(const LineDistance& distance, CancelToken& poll) {
   for (uint32_t f = 0; f < faces_.size(); ++f) {
-    poll(kPlace);
+    poll(kPiecesPerPlace);
     const std::array<HalfEdge, 3> corners = mesh_.corners(f);
     int agree[3] = {0, 0, 0};
     for (uint32_t k = 0; k < 3; ++k) {

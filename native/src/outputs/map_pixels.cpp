@@ -9,16 +9,13 @@
 #include <vector>
 
 #include "base/plane.h"
+#include "outputs/constants.h"
 
 namespace meander {
 namespace {
 
-/// A pixel on the edge between two triangles belongs to both, one that is farther inside both of two only where the map
-/// lies on itself: as shares of a triangle's height.
-constexpr double kOnMapEdge = 1e-9, kInsideOfFace = 1e-3;
-
 /// Rows that a thread handles at a time.
-constexpr size_t kBand = 32;
+constexpr size_t kRowsPerBlock = 32;
 
 constexpr int32_t kNoFace = -1, kReached = -2;
 
@@ -34,7 +31,7 @@ class Rasterizer {
   PixelCounts fill(ThreadPool& pool) {
     sort_into_bands(pool);
     std::atomic<size_t> covered = 0, twice = 0;
-    pool.for_blocks(pixels_.size, kBand, [&](size_t band, size_t begin, size_t end) {
+    pool.for_blocks(pixels_.size, kRowsPerBlock, [&](size_t band, size_t begin, size_t end) {
       const size_t first = begin * pixels_.size;
       std::vector<uint8_t> inside((end - begin) * pixels_.size, 0);  // of how many faces, at most 2
       std::ranges::fill(pixels_.faces.subspan(first, inside.size()), kNoFace);
@@ -72,13 +69,14 @@ class Rasterizer {
   /// A counting sort: the faces of a band come in their order.
   void sort_into_bands(ThreadPool& pool) {
     const auto count = static_cast<uint32_t>(corners_.size() / 6);
-    ends_.assign(ThreadPool::block_count(pixels_.size, kBand) + 2, 0);
+    ends_.assign(ThreadPool::block_count(pixels_.size, kRowsPerBlock) + 2, 0);
     CancelToken poll = pool.poll(1u << 16);
     for (const bool counting : {true, false}) {
       for (uint32_t f = 0; f < count; ++f) {
         poll();
         const Box b = box(f);
-        for (int64_t band = b.top / int64_t{kBand}; band <= b.bottom / int64_t{kBand} && b.top <= b.bottom; ++band) {
+        constexpr int64_t kRows = kRowsPerBlock;
+        for (int64_t band = b.top / kRows; band <= b.bottom / kRows && b.top <= b.bottom; ++band) {
           if (counting) {
             ++ends_[static_cast<size_t>(band) + 2];
           } else {

@@ -10,16 +10,15 @@
 #include <string_view>
 #include <system_error>
 
+#include "outputs/constants.h"
+
 namespace meander {
 namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-/// The greatest power of ten that a 53-bit number can be multiplied by in 128 bits.
-constexpr int kMostPower = 22;
-
 constexpr auto kPowersOfTen = [] {
-  std::array<Wide, kMostPower + 1> powers{1};
+  std::array<Wide, kMostPowerOfTen + 1> powers{1};
   for (size_t k = 1; k < powers.size(); ++k) powers[k] = 10 * powers[k - 1];
   return powers;
 }();
@@ -45,7 +44,7 @@ struct Scaled {
   bool fits = false;
 };
 
-/// `power` from 0 to kMostPower.
+/// `power` from 0 to kMostPowerOfTen.
 Scaled scaled(const Binary& value, int power) {
   if (value.shift <= 0) return {};
   const Wide product = value.mantissa * power_of_ten(power);
@@ -120,7 +119,7 @@ bool find_digits(double value, int digits, uint64_t& all, int& exponent) {
   exponent = static_cast<int>(std::floor(std::ilogb(value) * 0.30102999566398120));
   for (int attempt = 0; attempt < 3; ++attempt) {
     const int power = digits - 1 - exponent;
-    if (power < 0 || power > kMostPower) return false;
+    if (power < 0 || power > kMostPowerOfTen) return false;
     const Scaled number = scaled(binary, power);
     if (!number.fits) return false;
     if (number.whole >= limit) {

@@ -19,9 +19,6 @@ struct NumberForm {
   uint32_t digits = 0;  ///< at most kMostDigits
 };
 
-/// 17 significant digits are enough to read the same double again.
-inline constexpr uint32_t kMostDigits = 17;
-
 /// Writes a number from `first` on, and returns where its text ends; null: there is no room before `last`.
 ///
 /// What is not finite is `nan`, `inf` or `-inf` in every form.

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/failure.h"
+#include "outputs/constants.h"
 
 namespace meander {
 namespace {
