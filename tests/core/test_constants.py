@@ -21,6 +21,7 @@ COMPLETE = {
     "mesh": (),
     "geodesic": (),
     "outputs": ("cost.cpp", "map_distances.cpp", "middle_lines.cpp"),
+    "medial": (),
 }
 NUMBER = re.compile(
     r"^(?:inline |static )*constexpr (double|float|int|(?:std::)?(?:u?int\d+|size)_t)"

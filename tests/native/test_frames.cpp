@@ -76,7 +76,7 @@ TEST(CachedDirections, OfNodesThatHaveNotMovedStay) {
 
 /// Repeatedly: a cached direction is compared with the place where it was traced, not with the last iteration.
 TEST(CachedDirections, EndWhereNodesMoveOrTurn) {
-  // Sine of the greatest angle, here and on faces a third of r wide: kRest r over the radius of the
+  // Sine of the greatest angle, here and on faces a third of r wide: kFrameRest r over the radius of the
   // surface, and what the faces' edges add.
   constexpr double kMostOff = 0.06;
   for (const Mesh& mesh : {sphere(4), torus(60, 30)}) {
@@ -94,9 +94,9 @@ TEST(CachedDirections, EndWhereNodesMoveOrTurn) {
       scene.find(&cached, frames);
       for (uint32_t i = 0; i < scene.curve.size(); ++i) {
         const Vec3 t = tangent_of(scene, frames, i);
-        bool rests = (frames.position[i] - cached[i].from.cast<double>()).norm() <= kRest * kRadius;
+        bool rests = (frames.position[i] - cached[i].from.cast<double>()).norm() <= kFrameRest * kRadius;
         for (int side = 0; side < 2; ++side) {
-          rests = rests && std::abs(cached[i].outward[side].cast<double>().dot(t)) <= kTurn;
+          rests = rests && std::abs(cached[i].outward[side].cast<double>().dot(t)) <= kFrameTurn;
         }
         ASSERT_EQ(frames.walked[i] == 0, rests) << "step " << step << " node " << i;
         ++(rests ? kept : walked);
@@ -125,7 +125,7 @@ TEST(CachedDirections, EndWhereTheSpacingChanges) {
   for (const double factor : {0.9, 0.96, 1.04, 1.1}) {
     scene.radius = factor * kRadius;
     scene.find(&cached, frames);
-    const bool near = std::abs(1 / factor - 1) <= kRest;
+    const bool near = std::abs(1 / factor - 1) <= kFrameRest;
     for (const uint8_t walked : frames.walked) EXPECT_EQ(walked == 0, near) << factor;
   }
 }

@@ -3,6 +3,7 @@
 // What limits a ball that grows from a point, among the points of a run, and which of them count.
 #pragma once
 
+#include "medial/constants.h"
 #include "medial/curve_bvh.h"
 
 namespace meander {
@@ -61,9 +62,6 @@ inline void measure_pair(const CurveBvh::Points& p, size_t k, const BallStart& s
   squared = ux * ux + uy * uy + uz * uz;
   ahead = ux * both(start.b.x()) + uy * both(start.b.y()) + uz * both(start.b.z());
 }
-
-/// Balls are compared with points that limit them alike up to rounding.
-inline constexpr double kAlikeRounded = 1 + 1e-14;
 
 /// The points of a run inside of a ball, or as good as on it: a bit each. What is not ahead fails as well: its product
 /// is not above a square.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "medial/centre_ball.h"
 
+#include "medial/constants.h"
 #include "medial/near_points.h"
 
 namespace meander {
@@ -11,7 +12,7 @@ double seen_from(const Chart& centre, const SoughtBall& ball, double radius, std
   const GeodesicScene& scene = ball.scene;
   const Vec2 arriving = conj(centre.turn) * ball.ahead;
   const uint32_t there = scene.patches.patch_of(scene.surface, centre.point);
-  const double inside = (1 - kInside) * radius;
+  const double inside = (1 - kInsideOfBall) * radius;
   double least = radius;
   find_inside(scene.tree, centre.position, inside, near, ball.part());
   for (const uint32_t p : near) {
@@ -32,14 +33,14 @@ double seen_from(const Chart& centre, const SoughtBall& ball, double radius, std
 }  // namespace
 
 double ball_from_centre(const SoughtBall& ball, double radius, std::vector<uint32_t>& near) {
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMostCentreRounds; ++round) {
     if (radius > kSeenFromCentre * ball.r || (ball.straight_on() && !ball.holds_crease(radius))) return radius;
     Chart way = ball.here();
     way.advance(ball.scene.surface, radius * ball.ahead);
     if (way.at_boundary) return radius;
     const double before = radius;
     radius = seen_from(way, ball, radius, near);
-    if (radius >= (1 - kInside) * before) return radius;
+    if (radius >= (1 - kInsideOfBall) * before) return radius;
   }
   return radius;
 }

@@ -5,14 +5,9 @@
 #include <numeric>
 
 #include "base/close_growth.h"
+#include "medial/constants.h"
 
 namespace meander {
-namespace {
-
-/// Trees of fewer runs are built before a thread is awake.
-constexpr uint32_t kWorthThreads = 128;
-
-}  // namespace
 
 void CurveBvh::build(std::span<const Eigen::Vector3d> points, ThreadPool& pool, std::span<const uint32_t> parts) {
   points_ = points;
@@ -27,7 +22,7 @@ void CurveBvh::build(std::span<const Eigen::Vector3d> points, ThreadPool& pool, 
   for (size_t part = 0; part < roots_.size(); ++part) {
     const uint32_t first = first_[part], last = first_[part + 1];
     if (first == last) continue;
-    roots_[part] = add_branch(nodes_, first, last, last - first > kWorthThreads ? &pool : nullptr);
+    roots_[part] = add_branch(nodes_, first, last, last - first > kRunsOfOneThread ? &pool : nullptr);
   }
 }
 

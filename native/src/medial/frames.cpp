@@ -63,13 +63,13 @@ class Tangents {
 
 /// Turns cached directions with the strand; false if the node has moved, or the strand has turned, too far.
 bool reuse_directions(const CachedDirections& cached, uint32_t i, const Vec3& tangent, double r, Frames& frames) {
-  if (!(std::abs(static_cast<double>(cached.radius) - r) <= kRest * r)) return false;
-  const double rest = kRest * r;
+  if (!(std::abs(static_cast<double>(cached.radius) - r) <= kFrameRest * r)) return false;
+  const double rest = kFrameRest * r;
   if (!((frames.position[i] - cached.from.cast<double>()).squaredNorm() <= rest * rest)) return false;
   for (uint32_t side = 0; side < 2; ++side) {
     const Vec3 outward = cached.outward[side].cast<double>();
     const double turned = outward.dot(tangent);
-    if (!(std::abs(turned) <= kTurn)) return false;
+    if (!(std::abs(turned) <= kFrameTurn)) return false;
     frames.outward[i][side] = (outward - turned * tangent).normalized();
     frames.to_boundary[i][side] = -1;
     frames.radius_slope[i][side] = static_cast<double>(cached.radius_slope[side]);

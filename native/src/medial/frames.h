@@ -48,9 +48,9 @@ struct CachedDirections {
 
 /// Fills `frames`; `metric` is that of the nodes, `radius` is r.
 ///
-/// `cached`  directions per node, or null: a node within kRest of where its directions were found, and whose
-///           strand has not turned by more than kTurn since, leads no geodesics but turns them with its
-///           strand. They are then off by an angle of the order of kRest, less where the surface is smooth.
+/// `cached`  directions per node, or null: a node within kFrameRest of where its directions were found, and whose
+///           strand has not turned by more than kFrameTurn since, leads no geodesics but turns them with its
+///           strand. They are then off by an angle of the order of kFrameRest, less where the surface is smooth.
 ///           Nodes whose geodesics met the boundary always lead them again.
 void compute_frames(const Surface& surface, const Curve& curve, const LocalMetric& metric, const RadiusField& radius,
                     ThreadPool& pool, Frames& frames, const NodeData<CachedDirections>* cached = nullptr);

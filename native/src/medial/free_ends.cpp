@@ -6,18 +6,12 @@
 #include <span>
 
 #include "geodesic/geodesic_trace.h"
+#include "medial/constants.h"
 #include "medial/empty_balls.h"
 #include "medial/near_points.h"
 
 namespace meander {
 namespace {
-
-/// For this many ends or fewer it costs less to visit every node for each of them than to build a tree. Building
-/// one takes about as long as that many visits of a node.
-constexpr size_t kFewEnds = 32;
-
-/// Rounding changes the radius of a ball by less than this share of the surface's diagonal and its own.
-constexpr double kBallRounding = 1e-9;
 
 /// The largest empty ball of Ma, Bae and Choi, see medial/empty_balls.h.
 class BallAhead {
@@ -45,7 +39,7 @@ class Nodes {
  public:
   /// Refers to `positions`.
   Nodes(std::span<const Vec3> positions, size_t ends, ThreadPool& pool) : positions_(positions) {
-    if (ends > kFewEnds) tree_.emplace(positions, pool);
+    if (ends > kFewFreeEnds) tree_.emplace(positions, pool);
   }
 
   /// Shrinks a ball, which touches the curve at x, until none of the nodes is in it. The tree says which nodes may

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "medial/measured_ball.h"
 
+#include "medial/constants.h"
 #include "medial/empty_balls.h"
 
 namespace meander {
@@ -13,17 +14,18 @@ class Measured {
 
   /// Takes in a point and its neighbours on the strand. Samples of the boundary have neighbours by their numbers only.
   void take_in(uint32_t p) {
+    constexpr uint32_t kMost = kMeasuredNeighbours;
     const uint32_t nodes = curve_.size();
-    if (p >= nodes) return add(std::max(nodes, p - kNeighbours), p + kNeighbours);
+    if (p >= nodes) return add(std::max(nodes, p - kMost), p + kMost);
     const auto after = std::ranges::upper_bound(curve_.strands, p, {}, &Strand::first);
     const Strand& strand = *(after - 1);
     const uint32_t last = strand.end() - 1;
-    const uint32_t back = std::min(kNeighbours, p - strand.first), ahead = std::min(kNeighbours, last - p);
+    const uint32_t back = std::min(kMost, p - strand.first), ahead = std::min(kMost, last - p);
     add(p - back, p + ahead);
     if (!strand.closed) return;
     // Those beyond its first node are its last ones, and those beyond its last node the first.
-    if (back < kNeighbours) add(last - std::min(kNeighbours - back - 1, strand.count - 1), last);
-    if (ahead < kNeighbours) add(strand.first, strand.first + std::min(kNeighbours - ahead, strand.count) - 1);
+    if (back < kMost) add(last - std::min(kMost - back - 1, strand.count - 1), last);
+    if (ahead < kMost) add(strand.first, strand.first + std::min(kMost - ahead, strand.count) - 1);
   }
   bool has(uint32_t j) const {
     for (uint32_t k = 0; k < count_; ++k) {
@@ -37,7 +39,7 @@ class Measured {
 
   const Curve& curve_;
   uint32_t count_ = 0;
-  std::array<std::array<uint32_t, 2>, 3 * kMostStrands> ranges_;  // first and last
+  std::array<std::array<uint32_t, 2>, 3 * kMostStrandsOfBall> ranges_;  // first and last
 };
 
 /// What the neighbours of a node on its strand leave of a ball, seen from where the node is seen.
@@ -49,7 +51,7 @@ double limited_by_neighbours(const SoughtBall& ball, const StrandNeighbours& own
   for (const bool forward : {false, true}) {
     Chart chart = seen;
     uint32_t q = p;
-    for (uint32_t k = 0; k < kNeighbours; ++k) {
+    for (uint32_t k = 0; k < kMeasuredNeighbours; ++k) {
       q = forward ? curve.next(q) : curve.previous(q);
       if (q == kNone || q == ball.node) break;
       if (own.has(q)) continue;
@@ -77,16 +79,16 @@ MeasuredRadius measured_ball(const SoughtBall& ball, const StrandNeighbours& own
   double radius = own.radius;
   BallLimit straight = ball.straight;
   Measured measured(scene.curve);
-  for (uint32_t k = 0; k < kMostStrands; ++k) {
+  for (uint32_t k = 0; k < kMostStrandsOfBall; ++k) {
     Chart chart = ball.here();
     const uint32_t p = straight.touched;
     const Vec3& goal = scene.obstacles.positions()[p];
-    if (!chart.advance_to(scene.surface, scene.obstacles.point(p), goal, kLongest * ball.r)) return {radius, false};
+    if (!chart.advance_to(scene.surface, scene.obstacles.point(p), goal, kLongestLine * ball.r)) return {radius, false};
     radius = limited_by_neighbours(ball, own, p, chart, ball.limited(radius, chart.place));
-    if (radius <= kSame * straight.radius || k + 1 == kMostStrands) break;
+    if (radius <= kSameBall * straight.radius || k + 1 == kMostStrandsOfBall) break;
     measured.take_in(p);
     const auto counts = [&](uint32_t j) { return !measured.has(j) && scene.sees(ball.node, j); };
-    straight = largest_ball(scene.tree, ball.start(), std::min(ball.most, kMargin * radius), count_where(counts),
+    straight = largest_ball(scene.tree, ball.start(), std::min(ball.most, kNextBall * radius), count_where(counts),
                             ball.part());
     if (straight.touched == kNone) break;
     if (ball.alike(straight.touched)) return {std::min(radius, straight.radius), true};

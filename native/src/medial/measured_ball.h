@@ -13,7 +13,7 @@ struct MeasuredRadius {
   bool whole;     ///< nothing else limits it: else a line has not led where it should
 };
 
-/// Measures what limits the straight ball, then what limits it next, of at most kMostStrands strands.
+/// Measures what limits the straight ball, then what limits it next, of at most kMostStrandsOfBall strands.
 MeasuredRadius measured_ball(const SoughtBall& ball, const StrandNeighbours& own);
 
 }  // namespace meander

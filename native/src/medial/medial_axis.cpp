@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "medial/constants.h"
 #include "medial/empty_balls.h"
 
 namespace meander {

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "medial/ray_ball.h"
 
+#include <array>
+
+#include "base/plane.h"
+#include "medial/constants.h"
 #include "medial/empty_balls.h"
 #include "medial/near_points.h"
 
 namespace meander {
 namespace {
+
+/// Ahead, and at .7 and 1.25 radians to either side.
+constexpr std::array<Vec2, 5> kRays{{{1, 0},
+                                     {0.7648421872844885, 0.644217687237691},
+                                     {0.7648421872844885, -0.644217687237691},
+                                     {0.3153223623952687, 0.9489846193555862},
+                                     {0.3153223623952687, -0.9489846193555862}}};
 
 /// One search along the rays of a node.
 class RaySearch {
@@ -74,14 +85,14 @@ bool RaySearch::seen_from_beside() {
       if (!there.whole || (there.flat_known && !flat_known_)) continue;
       Chart chart = Chart::at(curve.nodes[n], scene_.frames.position[n]);
       if (!chart.advance_to(scene_.surface, curve.nodes[node], scene_.frames.position[node], ball_.r)) continue;
-      if (dot(chart.place, chart.place) > kBeside * kBeside * ball_.r * ball_.r) continue;
+      if (dot(chart.place, chart.place) > kBelievedBeside * kBelievedBeside * ball_.r * ball_.r) continue;
       for (const auto& [index, place] : there.points) {
         if (index != node && !own_.has(index)) limit(conj(chart.turn) * (place - chart.place));
       }
       known = std::max(known, there.least);
     }
   }
-  return least_ <= kAsLarge * known;
+  return least_ <= kBelievedAsLarge * known;
 }
 
 void RaySearch::lead_rays(double to_crease) {
@@ -90,7 +101,7 @@ void RaySearch::lead_rays(double to_crease) {
     const Vec2 direction = ball_.ahead * turned;
     const double half = 0.5 * kRayStep * ball_.r;
     double from = 0, to = std::max(2 * half, to_crease - half);
-    const auto within = [&] { return to - half <= 2 * std::min(least_, kLongest * ball_.r) * turned.x; };
+    const auto within = [&] { return to - half <= 2 * std::min(least_, kLongestLine * ball_.r) * turned.x; };
     if (!within()) continue;
     for (Chart chart = ball_.here(); within(); to += 2 * half) {
       chart.advance(scene_.surface, (to - from) * (conj(chart.turn) * direction));
@@ -110,14 +121,14 @@ void RaySearch::look_around(const Chart& chart) {
   const auto visit = [&](uint32_t index) {
     const Vec3& position = scene_.obstacles.positions()[index];
     // No path is shorter than the straight line, and no ball that a path limits is smaller than half of it.
-    constexpr double kFar = 2 * kAsLarge;
+    constexpr double kFar = 2 * kBelievedAsLarge;
     if (index == ball_.node || (position - ball_.position()).squaredNorm() >= kFar * kFar * least_ * least_) return;
     // Looks overlap, and see a point in the same place.
     if (std::ranges::find(seen_.points, index, &Sightings::Point::index) != seen_.points.end()) return;
     const uint32_t there = scene_.obstacles.patch(index);
     if (there == patch || std::ranges::find(beside, there) != beside.end()) look_at(chart, index, position);
   };
-  visit_inside(scene_.tree, chart.position, kAround * ball_.r, visit, ball_.part());
+  visit_inside(scene_.tree, chart.position, kLookedAround * ball_.r, visit, ball_.part());
 }
 
 void RaySearch::look_at(const Chart& chart, uint32_t index, const Vec3& position) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "medial/sought_ball.h"
 
+#include "medial/constants.h"
+
 namespace meander {
 
 bool SoughtBall::alike(uint32_t p) const {
@@ -15,7 +17,7 @@ bool SoughtBall::alike(uint32_t p) const {
   const Vec3 &a = normal_at(node, patch), &b = normal_at(p, to);
   if (a.dot(b) < kAlikeNormals) return false;
   const Vec3 d = obstacles.positions()[p] - position();
-  const double rise = kRise * d.norm();
+  const double rise = kMostRise * d.norm();
   return std::abs(d.dot(a)) <= rise && std::abs(d.dot(b)) <= rise;
 }
 

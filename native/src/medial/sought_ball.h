@@ -9,7 +9,7 @@
 
 #include "geodesic/chart.h"
 #include "medial/ball_limit.h"
-#include "medial/ball_constants.h"
+#include "medial/constants.h"
 #include "medial/geodesic_scene.h"
 
 namespace meander {
@@ -44,11 +44,11 @@ struct SoughtBall {
   Chart here() const { return Chart::at(scene.curve.nodes[node], position()); }
   /// Whether the two directions are much the same: round the edge of a blade, where they are not, what limits the
   /// straight ball is no help in finding what limits the ball along the surface.
-  bool straight_on() const { return along >= kStraightOn; }
+  bool straight_on() const { return along >= kMuchTheSame; }
   /// Whether what limits the straight ball is met along the surface as well, straight or round a bend.
   bool meets_straight() const {
     return straight.touched != kNone && straight_on() &&
-           (straight.radius <= kWide * r || !scene.patches.sharp(patch));
+           (straight.radius <= kWideAtEdge * r || !scene.patches.sharp(patch));
   }
 
   /// The radius that something in a place of the plane leaves of a ball.
@@ -61,8 +61,7 @@ struct SoughtBall {
   /// Whether a straight ball of this radius reaches a crease: a little more than it, as on a surface that bends a
   /// little its centre is not quite known.
   bool holds_crease(double radius) const {
-    constexpr double kMore = 1.05;
-    return scene.patches.crease_within(scene.frames.position[node] + radius * outward, kMore * radius);
+    return scene.patches.crease_within(scene.frames.position[node] + radius * outward, kCreaseMargin * radius);
   }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "medial/straight_ball.h"
 
+#include "medial/constants.h"
+
 namespace meander {
 namespace {
 
@@ -9,7 +11,7 @@ namespace {
 bool agrees_in_plane(const SoughtBall& ball) {
   const Vec3 d = ball.scene.obstacles.positions()[ball.straight.touched] - ball.position();
   const double ahead = d.dot(ball.scene.surface.to_space(ball.face(), ball.ahead));
-  return std::abs(d.squaredNorm() - 2 * ahead * ball.straight.radius) <= kAgrees * d.squaredNorm();
+  return std::abs(d.squaredNorm() - 2 * ahead * ball.straight.radius) <= kBelievedWithin * d.squaredNorm();
 }
 
 }  // namespace
@@ -18,8 +20,8 @@ std::optional<double> straight_ball(const SoughtBall& ball) {
   const double radius = ball.straight.radius;
   if (!ball.meets_straight()) return {};
   // On a limb about r thick straight balls are off by up to an eighth, however alike the normals are.
-  if (!(ball.scene.patches.to_bend(ball.patch) > kFlatAround * radius)) return {};
-  if (!(ball.along >= kAhead && agrees_in_plane(ball)) && ball.holds_crease(radius)) return {};
+  if (!(ball.scene.patches.to_bend(ball.patch) > kFlatAroundBall * radius)) return {};
+  if (!(ball.along >= kBelievedAhead && agrees_in_plane(ball)) && ball.holds_crease(radius)) return {};
   if (!ball.alike(ball.straight.touched)) return {};
   return radius;
 }
