@@ -20,8 +20,10 @@ NUMBERS = {"pi": math.pi, "sqrt2": math.sqrt(2.0)}
 COMPLETE = {
     "mesh": (),
     "geodesic": (),
-    "outputs": ("cost.cpp", "map_distances.cpp", "middle_lines.cpp"),
+    "curve": (),
     "medial": (),
+    "model": (),
+    "outputs": ("cost.cpp", "map_distances.cpp", "middle_lines.cpp"),
 }
 NUMBER = re.compile(
     r"^(?:inline |static )*constexpr (double|float|int|(?:std::)?(?:u?int\d+|size)_t)"

@@ -11,6 +11,7 @@
 
 #include "geodesic/geodesic_trace.h"
 #include "medial/free_ends.h"
+#include "model/constants.h"
 #include "model/energy.h"
 #include "outputs/gaps.h"
 #include "test_seeds.h"

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <utility>
 
+#include "curve/constants.h"
 #include "curve/piece_grid.h"
 
 namespace meander {
@@ -13,11 +14,7 @@ namespace {
 using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
 
 /// Faces that a thread takes at a time: few of a coarse mesh, which hold many pieces.
-constexpr size_t kMostFacesPerBlock = 256, kMostBlocksOfFaces = 64;
-
-/// All pieces are sorted again where more than one in kMostNew is new, and where kMostRenewed times as many as there
-/// are have been renewed.
-constexpr size_t kMostNew = 3, kMostRenewed = 2;
+constexpr size_t kMostFacesPerBlock = 256;
 
 /// Faces that a thread takes at a time where few hold anything new.
 constexpr size_t kRenewedFacesPerBlock = 32;
@@ -200,7 +197,7 @@ Pairs CrossingTest::find_again(const Surface& surface, const Curve& curve, Threa
     fresh += block.size();
     for (const Piece& piece : block) changed_[piece.segment] = 1;
   }
-  if (fresh > by_face_.size() / kMostNew || by_face_.renewed() > kMostRenewed * by_face_.size()) {
+  if (fresh > by_face_.size() / kNewPieces || by_face_.renewed() > kRenewedPieces * by_face_.size()) {
     begin(curve);
     pool.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t, size_t) { collect(curve, block); });
     return find_among_pieces(surface, curve, pool, &changed_);

@@ -6,21 +6,16 @@
 #include <utility>
 
 #include "base/close_growth.h"
+#include "curve/constants.h"
 
 namespace meander {
-namespace {
-
-/// So many parts at most, each of which counts every face; of fewer pieces than the second there is one.
-constexpr size_t kMostParts = 4, kWorthParts = 1u << 15;
-
-}  // namespace
 
 /// Parts of the curve count and put their pieces side by side, those of a face one part after the other.
 void FacePieces::sort(const std::vector<std::vector<Piece>>& blocks, size_t faces, const ThreadPool& pool) {
   forget_index();
   size_t total = 0;
   for (const std::vector<Piece>& block : blocks) total += block.size();
-  const size_t parts = total < kWorthParts ? 1 : std::clamp<size_t>(pool.size(), 1, kMostParts);
+  const size_t parts = total < kPiecesOfOnePart ? 1 : std::clamp<size_t>(pool.size(), 1, kMostPartsOfPieces);
   // All memory first: counts must be 0 again in the end, whatever happens.
   const size_t most_places = std::min(total, faces);
   count_.resize(faces, 0);

@@ -5,11 +5,10 @@
 #include <functional>
 #include <numeric>
 
+#include "curve/constants.h"
+
 namespace meander {
 namespace {
-
-/// Cells are no narrower than the mean piece divided by this.
-constexpr double kFinest = 2;
 
 /// The pieces in one of the weights: from where to where, and what their extents come to one after the other.
 struct Extent {
@@ -39,7 +38,7 @@ void PieceGrid::find_cells(std::span<const Piece> pieces) {
   const double n = static_cast<double>(pieces.size());
   std::ranges::sort(extents, std::greater(), [n](const Extent& e) { return e.across(n); });
   const auto& [x, y, longest] = extents;
-  const double finer = std::min(kFinest, std::sqrt(n / (x.across(n) * y.across(n))));
+  const double finer = std::min(kFinestPieceCell, std::sqrt(n / (x.across(n) * y.across(n))));
   const double columns = std::clamp(std::round(finer * x.across(n)), 1.0, n);
   const double rows = std::clamp(std::round(finer * y.across(n)), 1.0, std::ceil(n / columns));
   cells_.clear();

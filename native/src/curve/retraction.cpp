@@ -8,20 +8,17 @@
 
 #include "base/close_growth.h"
 #include "base/stopwatch.h"
+#include "curve/constants.h"
 #include "geodesic/geodesic_trace.h"
 
 namespace meander {
 namespace {
 
 /// Segments that a thread joins at a time.
-constexpr size_t kBlock = CrossingTest::kSegmentsPerBlock;
+constexpr size_t kJoinedPerBlock = CrossingTest::kSegmentsPerBlock;
 
 /// And of those that have to be joined again, which are few.
-constexpr size_t kFewBlock = 32;
-
-/// The faces of the segment this many places on are fetched while another one is joined: on a fine mesh
-/// that costs less than to wait for them.
-constexpr uint32_t kAhead = 4;
+constexpr size_t kRejoinedPerBlock = 32;
 
 /// All numbers below a count, as a list.
 struct All {
@@ -29,19 +26,6 @@ struct All {
   size_t size() const { return count; }
   uint32_t operator[](size_t k) const { return static_cast<uint32_t>(k); }
 };
-
-/// Faces that both ends together have walked over before it pays to guess where they are joined.
-constexpr size_t kFar = 4;
-
-/// A guess that ends farther from its goal than this share of its length, or whose length changes by more
-/// when it is pulled straight, is none: on thin limbs it might lead around the other side.
-constexpr double kAstray = 0.25;
-
-/// Walks that a guess may take, each aimed by what the one before has missed.
-constexpr int kShots = 3;
-
-/// After this many halvings a marked node stays where it was.
-constexpr int kStepHalvings = 4;
 
 }  // namespace
 
@@ -79,24 +63,24 @@ void Retraction::resolve(const Surface& surface, const Curve& curve, const NodeD
   next.lay_out_as(curve);
   resize_closely(traces_, n);
   moved_.resize(n);
-  trace(surface, curve, displacement, All{n}, kBlock, next, pool);
+  trace(surface, curve, displacement, All{n}, kJoinedPerBlock, next, pool);
   seconds.retract += watch.lap();
   test_->begin(next);
   const auto collect = [&](size_t block, size_t, size_t) { test_->collect(next, block); };
-  reconnect(surface, curve, displacement, All{n}, kBlock, collect, next, pool);
+  reconnect(surface, curve, displacement, All{n}, kJoinedPerBlock, collect, next, pool);
   seconds.reconnect += watch.lap();
   auto pairs = test_->find_collected(surface, next, pool);
   seconds.crossings += watch.lap();
   for (int attempt = 1; !pairs.empty(); ++attempt) {
     back_off(curve, pairs, attempt);
     list_changed(curve);
-    trace(surface, curve, displacement, changed_nodes_, kFewBlock, next, pool);
+    trace(surface, curve, displacement, changed_nodes_, kRejoinedPerBlock, next, pool);
     seconds.retract += watch.lap();
-    test_->begin_some(ThreadPool::block_count(changed_segments_.size(), kFewBlock));
+    test_->begin_some(ThreadPool::block_count(changed_segments_.size(), kRejoinedPerBlock));
     const auto collect_some = [&](size_t block, size_t begin, size_t end) {
       test_->collect_some(next, block, std::span(changed_segments_).subspan(begin, end - begin));
     };
-    reconnect(surface, curve, displacement, changed_segments_, kFewBlock, collect_some, next, pool);
+    reconnect(surface, curve, displacement, changed_segments_, kRejoinedPerBlock, collect_some, next, pool);
     seconds.reconnect += watch.lap();
     pairs = test_->find_again(surface, next, pool);
     seconds.crossings += watch.lap();
@@ -156,19 +140,19 @@ void Retraction::reconnect(const Surface& surface, const Curve& old, const NodeD
     PathShortener shortener(surface);
     std::vector<uint32_t> far;  // segments to be guessed; the others are joined at once
     for (size_t at = begin; at < end; ++at) {
-      if (at + 2 * kAhead < end) {
-        const uint32_t ahead = segments[at + 2 * kAhead];
+      if (at + 2 * kFetchedAhead < end) {
+        const uint32_t ahead = segments[at + 2 * kFetchedAhead];
         fetch(old.paths[ahead]);
         fetch(traces_[ahead]);
         fetch(next.paths[ahead]);
       }
-      if (at + kAhead < end) {
-        const uint32_t ahead = segments[at + kAhead];
+      if (at + kFetchedAhead < end) {
+        const uint32_t ahead = segments[at + kFetchedAhead];
         for (const Crossing& c : old.paths[ahead]) surface.fetch_hinges(face_of(c.twin));
         for (const Crossing& c : traces_[ahead]) surface.fetch_hinges(face_of(c.twin));
       }
       const uint32_t i = segments[at], j = old.next(i);
-      if (j != kNone && may_guess && traces_[i].size() + traces_[j].size() >= kFar) {
+      if (j != kNone && may_guess && traces_[i].size() + traces_[j].size() >= kFacesWorthGuess) {
         far.push_back(i);
         continue;
       }
@@ -230,7 +214,7 @@ std::optional<PathShape> Retraction::aim(const Surface& surface, const SurfacePo
       const std::optional<PathShape> shape = shortener.adopt(start, goal, path);
       if (shape) return std::abs(shape->length - length) <= kAstray * length ? shape : std::nullopt;
     }
-    if (shot == kShots) return std::nullopt;
+    if (shot == kMostGuesses) return std::nullopt;
     aimed = aimed + surface.to_plane(end.face, missed) * conj(walk.direction()) * unit(aimed);
     if (!(norm(aimed - displacement) <= norm(displacement))) return std::nullopt;
     again.emplace(surface, start, aimed);
@@ -289,7 +273,7 @@ void Retraction::back_off(const Curve& curve, const std::vector<std::pair<uint32
   }
   for (const Strand& strand : curve.strands) spread(strand, reach);
   for (uint32_t i = 0; i < curve.size(); ++i) {
-    if (node_changed_[i]) share_[i] = attempt > kStepHalvings ? 0 : 0.5 * share_[i];
+    if (node_changed_[i]) share_[i] = attempt > kMostStepHalvings ? 0 : 0.5 * share_[i];
   }
 }
 

@@ -3,7 +3,12 @@
 // The constants of the quadratic model and of its weights; curve/constants.h says how to read a line.
 #pragma once
 
+#include <cstddef>
+
 namespace meander {
+
+/// alpha r^2 of the paper's relation between weight and spacing (Fig. 17: r = 1.68 / sqrt(alpha)): 2 sqrt(2).
+inline constexpr double kAlphaRadiusSquared = 2.8284271247461903;  // none; > 0; above
 
 /// The Hessian of a pure length weight must stay positive: it uses no smaller weight than this. The gradient's may be
 /// negative, to let a strand grow.
@@ -23,5 +28,20 @@ inline constexpr double kPolishBalanceSlope = 0.05;  // length weight / q; >= 0;
 
 /// The spacing that the polish follows is smoothed along the curve over this much.
 inline constexpr double kSpacingSmoothing = 2;       // r; >= 0; free
+
+/// A segment counts as no shorter than this: 1 / l would mean nothing, and smoothing would be infinitely stiff.
+/// Refinement removes shorter ones right after.
+inline constexpr double kShortestSegment = 1e-6;     // r; > 0; free
+/// A medial radius counts as no smaller than this, as powers below 2 would be infinitely stiff.
+inline constexpr double kLeastMedialRadius = 1e-3;   // r; > 0; free
+
+/// A closed strand of fewer nodes has couplings that fall on one another, and is solved densely.
+inline constexpr size_t kLeastBanded = 6;            // nodes; >= 6; geometry
+/// A chunk keeps two nodes at either end of its couplings apart.
+inline constexpr size_t kShortestChunk = 4;          // nodes; >= 4; geometry
+/// Nodes of a chunk that a thread solves by itself: many more than the hundreds which feel its ends.
+inline constexpr size_t kLeastChunk = 2048;          // nodes; >= kShortestChunk; free
+/// With more chunks the small dense system between them would cost more than they save.
+inline constexpr size_t kMostChunks = 64;            // chunks; >= 1; free
 
 }  // namespace meander

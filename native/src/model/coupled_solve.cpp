@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include "base/eigen.h"
+#include "model/constants.h"
 
 namespace meander {
 namespace {

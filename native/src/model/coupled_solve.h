@@ -10,9 +10,6 @@
 
 namespace meander {
 
-/// A closed strand below this many nodes has couplings that fall on one another; it is solved densely.
-inline constexpr size_t kLeastBanded = 6;
-
 /// Solves system H z = -g, its blocks included; returns z, one a node, in the parallel frames.
 ///
 /// Open: L L^T by blocks. Closed: the same for all but the last two nodes, which are eliminated

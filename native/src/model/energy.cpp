@@ -11,11 +11,8 @@
 namespace meander {
 namespace {
 
-/// Segments this short (in r) would make 1 / l meaningless; refinement removes them right after.
-constexpr double kShortest = 1e-6;
-
 double segment_length(const Curve& curve, uint32_t i, double r) {
-  return std::max(curve.shapes[i].length, kShortest * r);
+  return std::max(curve.shapes[i].length, kShortestSegment * r);
 }
 
 /// w of a node.
@@ -79,9 +76,6 @@ Vec2 carry_frames(const Curve& curve, const Strand& strand, ThreadPool& pool, Ta
   return start.back();
 }
 
-/// A medial radius this small (in r) would make powers below 2 infinitely stiff.
-constexpr double kLeastRatio = 1e-3;
-
 /// The second derivative of eq. 13's medial term as it is, over 2 alpha w: `along` the strand, and how
 /// much more across it. Positive for every q above 1.
 struct MedialStiffness {
@@ -90,7 +84,7 @@ struct MedialStiffness {
 
 MedialStiffness medial_stiffness(const Radii& radii, double r, double q) {
   double sum = 0;
-  for (const double radius : radii) sum += power(std::max(radius / r, kLeastRatio), q - 2);
+  for (const double radius : radii) sum += power(std::max(radius / r, kLeastMedialRadius), q - 2);
   return {sum, (q - 2) * sum};
 }
 

@@ -38,9 +38,6 @@
 
 namespace meander {
 
-/// alpha r^2 of the paper's relation between weight and spacing (Fig. 17: r = 1.68 / sqrt(alpha)).
-inline constexpr double kAlphaRadiusSquared = 2.8284271247461903;  // 2 sqrt(2)
-
 /// A real symmetric 2 x 2 matrix.
 struct Sym2 {
   double xx = 0, xy = 0, yy = 0;

@@ -9,13 +9,10 @@
 namespace meander {
 namespace {
 
-/// A segment shorter than this (in r) would make the smoothing infinitely stiff.
-constexpr double kShortestSmoothed = 1e-6;
-
 /// What couples u at both ends of segment i in (1 - s^2 d^2 / ds^2) u = raw u, s being the smoothing.
 double stiffness_of(const Curve& curve, const LocalMetric& metric, uint32_t i) {
   const double r = metric.radius[i], smoothing = kSpacingSmoothing;
-  return smoothing * smoothing * r * r / std::max(curve.shapes[i].length, kShortestSmoothed * r);
+  return smoothing * smoothing * r * r / std::max(curve.shapes[i].length, kShortestSegment * r);
 }
 
 double raw_spacing(const Radii& radii, double r) {

@@ -9,18 +9,13 @@
 #include <Eigen/Cholesky>
 
 #include "base/eigen.h"
+#include "model/constants.h"
 #include "model/coupled_solve.h"
 
 namespace meander {
 namespace {
 
 using Complex = std::complex<double>;
-
-/// A chunk keeps two nodes at either end of its couplings apart.
-constexpr size_t kShortestChunk = 4;
-
-/// More chunks than these, and the small dense system between them would cost more than they save.
-constexpr size_t kMostChunks = 64;
 
 /// L D L^T of a real symmetric pentadiagonal matrix: of rows `begin` to `end` of the system.
 class Pentadiagonal {

@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "base/thread_pool.h"
+#include "model/constants.h"
 #include "model/energy.h"
 
 namespace meander {
-
-/// Nodes of a chunk that a thread solves by itself: many more than the hundreds which feel its ends.
-inline constexpr size_t kLeastChunk = 2048;
 
 /// Solves system H z = -g; returns z, one a node, in the parallel frames.
 ///

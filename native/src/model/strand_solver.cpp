@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/strand_solver.h"
 
+#include "model/constants.h"
 #include "model/solve.h"
 
 namespace meander {
