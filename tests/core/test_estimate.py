@@ -131,9 +131,14 @@ def test_in_words(points, seconds, memory, words):
 
 
 def test_blender_is_advised_against_where_it_would_hang():
-    assert hanging_in_words(1_000_000) == ""
-    words = hanging_in_words(3_000_000)
-    assert "15 s" in words and "batch command" in words and "--output" in words
+    assert hanging_in_words(1_000_000, True) == ""
+    words = hanging_in_words(3_000_000, True)
+    assert "12 s" in words and "batch command" in words and "--output" in words
+
+
+def test_a_bare_curve_hangs_it_later():
+    assert hanging_in_words(3_000_000, False) == ""
+    assert "10 s" in hanging_in_words(10_000_000, False)
 
 
 def test_edges_are_counted_once():

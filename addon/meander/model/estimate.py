@@ -21,9 +21,10 @@ from .. import core
 # one.
 BYTES_PER_POINT = 330
 BYTES_PER_BEVELLED_POINT = 1600
-# Blender hangs so long for each point while it takes the curve of a run in, and longer than this
-# nobody waits; see docs/performance.md.
-SECONDS_PER_POINT = 4.9e-6
+# Blender hangs so long for each point while it takes the curve of a run in, with a body and without
+# one, and longer than this nobody waits; see docs/performance.md.
+SECONDS_PER_POINT = 4e-6
+SECONDS_PER_BARE_POINT = 1e-6
 _MOST_SECONDS = 5.0
 # Runs of fewer nodes say nothing of the machine's speed.
 LEAST_NODES = 2000
@@ -192,10 +193,10 @@ def described(estimate: Estimate) -> str:
     )
 
 
-def hanging_in_words(points: int) -> str:
+def hanging_in_words(points: int, has_body: bool) -> str:
     """Lines about what to do where Blender would hang too long with a curve of that many points;
     empty where it would not."""
-    seconds = SECONDS_PER_POINT * points
+    seconds = (SECONDS_PER_POINT if has_body else SECONDS_PER_BARE_POINT) * points
     if seconds <= _MOST_SECONDS:
         return ""
     return (

@@ -42,7 +42,7 @@ def shown(
     radii    (n, 2) r+ and r- of their points
     """
     kept = result_points(polylines, spacing, plan.light)
-    curve, radii = with_points(polylines, kept), radii[kept]
+    curve, radii = with_points(polylines, kept), radii.take(kept, axis=0)
     line = bridges.joined(curve, spacing, guides) if plan.bridges else None
     if line is None:
         return curve, radii, guides, None

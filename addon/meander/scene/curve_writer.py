@@ -12,6 +12,7 @@ import bpy
 import numpy as np
 
 from .. import core
+from ..model.geometry.blocks import blocks
 from .transforms import mean_scale, to_local, world_matrix
 
 
@@ -73,17 +74,16 @@ def write_splines(curve: bpy.types.Curve, polylines: core.Polylines, matrix: np.
     """Replaces the splines of a curve by polylines, in the space of `matrix`, and nothing else."""
     curve.dimensions = "3D"
     # What can go wrong comes first: the curve keeps its splines until there are new ones.
-    positions = to_local(polylines.positions, matrix).astype(np.float32)
+    points = np.ones((len(polylines.positions), 4), dtype=np.float32)
+    for begin, end in blocks(len(points)):
+        points[begin:end, :3] = to_local(polylines.positions[begin:end], matrix)
     offsets = np.asarray(polylines.offsets, dtype=np.int64)
     strands = list(zip(offsets[:-1], offsets[1:], polylines.closed, strict=True))
     curve.splines.clear()
     for begin, end, closed in strands:
-        count = int(end - begin)
         spline = curve.splines.new("POLY")
-        spline.points.add(count - 1)
-        points = np.ones((count, 4), dtype=np.float32)
-        points[:, :3] = positions[begin:end]
-        spline.points.foreach_set("co", points.ravel())
+        spline.points.add(int(end - begin) - 1)
+        spline.points.foreach_set("co", points[begin:end].ravel())
         spline.use_cyclic_u = bool(closed)
     curve.update_tag()
 

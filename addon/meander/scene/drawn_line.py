@@ -15,6 +15,7 @@ import bpy
 import numpy as np
 
 from .. import core
+from ..model.geometry.blocks import blocks
 from .columns import column
 from .curve_writer import write_splines
 from .look import modifier_of, set_value, shaping_modifiers, value_of
@@ -138,8 +139,11 @@ def _point_count(curve: bpy.types.Curve) -> int:
 def _length(curve: bpy.types.Curve) -> float:
     length = 0.0
     for spline, points in zip(curve.splines, _positions(curve)):
-        steps = np.diff(points, axis=0, append=points[:1] if spline.use_cyclic_u else points[-1:])
-        length += float(np.linalg.norm(steps, axis=1).sum())
+        for begin, end in blocks(len(points) - 1):
+            steps = np.diff(points[begin : end + 1], axis=0)
+            length += float(np.linalg.norm(steps, axis=1).sum())
+        if spline.use_cyclic_u:
+            length += float(np.linalg.norm(points[0] - points[-1]))
     return length
 
 
@@ -152,5 +156,6 @@ def digest_of_points(arrays: list[np.ndarray]) -> str:
     """Another text for other arrays."""
     digest = hashlib.blake2b(digest_size=8)
     for values in arrays:
-        digest.update(np.ascontiguousarray(values).tobytes())
+        for begin, end in blocks(len(values)):
+            digest.update(np.ascontiguousarray(values[begin:end]))
     return digest.hexdigest()

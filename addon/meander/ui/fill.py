@@ -198,7 +198,7 @@ class MEANDER_OT_run(Fills, Watched, bpy.types.Operator):
             "INVOKE_DEFAULT",
             **self._what(),
             figures=described(estimate),
-            notice=hanging_in_words(estimate.points),
+            notice=hanging_in_words(estimate.points, plan.look.radius > 0.0),
         )
         return True
 

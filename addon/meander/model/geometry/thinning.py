@@ -65,8 +65,8 @@ def kept_points(polylines: core.Polylines, distance: float) -> NDArray[np.int64]
 def with_points(polylines: core.Polylines, kept: NDArray[np.int64]) -> core.Polylines:
     """The polylines with some of their points only, whose indices are in order."""
     return core.Polylines(
-        polylines.positions[kept],
-        polylines.normals[kept],
+        polylines.positions.take(kept, axis=0),
+        polylines.normals.take(kept, axis=0),
         np.searchsorted(kept, polylines.offsets).astype(polylines.offsets.dtype),
         polylines.closed,
     )
