@@ -213,6 +213,40 @@ def test_the_way_keeps_off_the_walls(sheet: core.CutSurface) -> None:
     assert not np.isin(way[1:-1], np.setdiff1d(sheet.line_vertices, gaps)).any()
 
 
+def sharp_share(points: np.ndarray, spacing: float) -> float:
+    """Of a flat line, where it turns by more than 45 degrees within .3 spacings."""
+    steps = np.diff(points[:, :2], axis=0)
+    steps = steps[np.linalg.norm(steps, axis=1) > 1e-9]
+    at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(steps, axis=1))])
+    before, after = steps[:-1].T, steps[1:].T
+    cross = before[0] * after[1] - before[1] * after[0]
+    turned = np.cumsum(np.append(0.0, np.arctan2(cross, (before * after).sum(axis=0))))
+    places = np.arange(0.0, at[-1], 0.02 * spacing)
+    low, high = (np.searchsorted(at[1:-1], places + side * spacing) for side in (-0.15, 0.15))
+    return float((np.abs(turned[high] - turned[low]) > np.pi / 4.0).mean())
+
+
+def test_the_way_is_round_and_clear_of_walls(
+    sheet: core.CutSurface, on_disc: core.CutSurface
+) -> None:
+    """Its vertices lie on edges of the cut, and turn sharply over .058 to .096 of its length."""
+    for cut, spacing in ((sheet, SPACING), (on_disc, DISC_SPACING)):
+        maze = Maze(cut, spacing)
+        doors = maze.farthest_doors()
+        vertices = maze.way(doors)
+        way = maze.places(vertices, doors)
+        assert sharp_share(way, spacing) < 0.025
+        lines = [
+            np.stack([p, np.roll(p, -1, axis=0)], axis=1)[: None if closed else -1, :, :2]
+            for p, closed in pieces_of(cut, doors)
+        ]
+        walls = np.vstack(lines).swapaxes(0, 1)
+        assert geometry.distance_to_pieces(way[:, :2], *walls).min() > 0.2 * spacing
+        middle = cut.positions[vertices]
+        aside = geometry.distance_to_pieces(middle[:, :2], way[:-1, :2], way[1:, :2])
+        assert aside.max() < 0.25 * spacing and np.abs(way[:, 2]).max() < 1e-9
+
+
 @pytest.mark.parametrize("spacing", [0.085, 0.1])
 def test_a_way_ends_in_the_middle_of_a_mouth(spacing: float) -> None:
     """Not at one of the walls beside it, with as few vertices across a corridor as buttons have."""

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from .. import core
 from .cut import is_parted
 from .edge_ways import Graph, common, way_to, ways
+from .fair_way import fair_way
 from .inlets import Inlet, find_inlets
 
 # In spacings: a door to the outside is no farther from the boundary of the surface than this. Of a
@@ -186,9 +187,9 @@ class Maze:
         lengths = [np.concatenate([[0.0], np.cumsum(each)]) for each in (steps, inner)]
         return *lengths, np.maximum.accumulate(away[way][::-1])[::-1]
 
-    def hardness(self, way: NDArray[np.int64]) -> Hardness:
-        """Of the maze with this way()."""
-        points, step = self._cut.positions[way], _STEP * self._spacing
+    def hardness(self, way: NDArray[np.int64], doors: Doors) -> Hardness:
+        """Of the maze with this way() between these doors."""
+        points, step = self.places(way, doors), _STEP * self._spacing
         lengths = np.linalg.norm(np.diff(points, axis=0), axis=1)
         at = np.concatenate([[0.0], np.cumsum(lengths)])
         places = np.linspace(0.0, at[-1], max(int(at[-1] / step), 1) + 1)
@@ -254,15 +255,15 @@ class Maze:
         return way_to(end, before)
 
     def places(self, way: NDArray[np.int64], doors: Doors) -> NDArray[np.float64]:
-        """Of a way() between these doors, (n, 3), which begins and ends in the middle of those that
-        are in a bar."""
+        """Of a way() between these doors, (n, 3), without its corners. It begins and ends in the
+        middle of those that are in a bar."""
         places = list(self._cut.positions[way])
         for first, last, opened in doors.bars:
             if opened:
                 middle = self._cut.positions[self._line[[first, last]]].mean(axis=0)
                 ends = np.linalg.norm(np.array([places[0], places[-1]]) - middle, axis=1)
                 places.insert(0 if ends[0] < ends[1] else len(places), middle)
-        return np.array(places)
+        return fair_way(np.array(places), self._cut, self._spacing)
 
     @cached_property
     def _inlets(self) -> list[Inlet]:

@@ -148,7 +148,7 @@ def _maze(cut: CutResult, name: str, values: Values) -> Made:
     if doors is None:
         return made, ""
     vertices = maze.way(doors)
-    remark = f", {maze.hardness(vertices)}"
+    remark = f", {maze.hardness(vertices, doors)}"
     if not doors.through:
         remark += "; the way keeps to the rim, try another variation"
     if values["solution"]:
