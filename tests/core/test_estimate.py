@@ -13,6 +13,7 @@ import numpy as np
 import peaks
 import pytest
 from meander import core
+from meander.cli.limits import of_process
 from meander.model.estimate import (
     Estimate,
     Speeds,
@@ -227,6 +228,40 @@ def test_what_a_mask_leaves_out_is_no_part_of_the_extent():
     assert extent.length_area == pytest.approx(2.0 * area)
 
 
+# Runs of the batch command from a full start on tori like those of docs/performance.md, on two
+# threads: faces, length of edges over area, curvature, spacing; processor seconds, and bytes of the
+# process.
+MANY_FACES = [
+    (100_110, 191.7, 4.1, 0.08, 2.0, 135e6),
+    (1_000_386, 606.0, 16.9, 0.04, 9.3, 730e6),
+    (1_000_386, 606.0, 16.9, 0.16, 6.0, 740e6),
+    (2_999_250, 1049.2, 43.1, 0.04, 25.0, 1700e6),
+    (2_999_250, 1049.2, 43.1, 0.08, 23.8, 1690e6),
+    (9_999_808, 1915.8, 134.2, 0.04, 76.9, 5435e6),
+]
+
+
+@pytest.mark.parametrize("run", MANY_FACES)
+def test_many_faces_take_what_they_have_taken(run):
+    faces, edges, curvature, spacing, seconds, memory = run
+    options = options_of("even", spacing)
+    options.start = core.Start.FULL
+    cost = core.estimate_cost(core.Extent(faces, 16.02, 16.02, edges, curvature), options)
+    mesh = Problem(np.empty((faces // 2, 3)), np.empty((faces, 3), dtype=np.uint32), options)
+    told = of_process(cost, mesh)
+    assert 0.75 < told.processor_seconds / seconds < 1.34
+    assert 0.75 < told.memory / memory < 1.34
+
+
+def test_a_mesh_of_many_faces_says_nothing_of_the_speed():
+    options, faces = options_of("even", 0.04), 3_000_000
+    options.start = core.Start.FULL
+    cost = core.estimate_cost(core.Extent(faces, 16.0, 16.0, 1050.0), options)
+    speeds, usual = Speeds(), Speeds()
+    speeds.learn(options, round(cost.nodes), usual.seconds(options, cost), faces)
+    assert speeds.seconds(options, cost) == pytest.approx(usual.seconds(options, cost), rel=0.15)
+
+
 @pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
 def test_a_cost_does_not_depend_on_the_unit(size):
     options = options_of("finest", 0.1 * size)
@@ -281,11 +316,13 @@ def test_a_spacing_that_is_none_is_refused(spacing):
 
 # A sphere, and what filling it is expected to take.
 PREPARE = """
-preset, spacing, subdivisions = given
+preset, spacing, subdivisions = given[:3]
 vertices, faces = geometry.icosphere(int(subdivisions))
 options = core.default_options(preset)
 options.radius = float(spacing) / 2
 options.iteration_limit = 40
+if len(given) > 3:
+    options.start = core.Start.FULL
 """
 FILL = """
 surface = core.Surface(vertices, faces)
@@ -301,4 +338,10 @@ flow.run()
 )
 def test_the_memory_that_a_run_takes(preset, spacing, subdivisions):
     taken, expected = peaks.peak_of(PREPARE, FILL, preset, spacing, subdivisions)
+    assert expected == pytest.approx(taken, rel=0.3)
+
+
+@peaks.linux_tells
+def test_the_memory_of_many_faces_from_a_full_start():
+    taken, expected = peaks.peak_of(PREPARE, FILL, "even", 0.2, 7, "full")
     assert expected == pytest.approx(taken, rel=0.3)

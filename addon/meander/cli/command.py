@@ -282,13 +282,15 @@ def _open(given: Input, arguments: argparse.Namespace, place: Place) -> Opened:
     """Opens the flow, unless it would be too large; an error names elements as the user counts
     them."""
 
-    def accept(cost: core.Cost) -> None:
+    def accept(of_library: core.Cost) -> None:
+        cost = limits.of_process(of_library, given.problem)
         limits.refuse_large(cost, arguments)
         if LARGE < cost.nodes <= limits.MOST_OF_LIBRARY:
             place.say(f"meander: about {cost_in_words(cost)}")
 
     try:
-        return open_flow(given.problem, accept=accept)
+        opened = open_flow(given.problem, accept=accept)
+        return replace(opened, cost=limits.of_process(opened.cost, given.problem))
     except core.MeanderError as refusal:
         named = flags.in_own_words(refusal, arguments)
         if given.surface_object is not None and place.host is not None:

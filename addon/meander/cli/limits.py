@@ -4,15 +4,19 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 
 from .. import core
 from ..model.estimate import BYTES_PER_POINT, available_memory, cost_in_words, size_in_words
+from ..model.problem import Problem
 from . import values
 from .values import BadInput
 
 # Where nobody knows how much memory there is.
 _MOST_NODES = 5_000_000
 _MEGABYTE = 1_000_000
+# Bytes of Python, numpy and the library before a mesh is read.
+_PROGRAM = 45 * _MEGABYTE
 # What of a run's memory is left while it is written: the curve, and what its nodes carry.
 _KEPT = 0.3
 # From here on the library refuses by itself, and no flag helps.
@@ -46,6 +50,13 @@ def add_failing(parser: argparse.ArgumentParser) -> None:
         "the surface is farther than 0.8 spacings from the curve; parts narrower than a spacing "
         "do not count",
     )
+
+
+def of_process(cost: core.Cost, problem: Problem) -> core.Cost:
+    """The same with the memory of what stands beside the library: the program, and the mesh as it
+    was read."""
+    mesh = problem.vertices.nbytes + problem.faces.nbytes
+    return replace(cost, memory=cost.memory + _PROGRAM + mesh)
 
 
 def cost_with_files(cost: core.Cost) -> float:

@@ -102,11 +102,16 @@ class Speeds:
     def __init__(self) -> None:
         self._factor: float | None = None
 
-    def learn(self, options: core.FlowOptions, nodes: int, seconds: float) -> None:
-        """Takes the figures of a whole run into account; of a small one it takes none."""
+    def learn(
+        self, options: core.FlowOptions, nodes: int, seconds: float, faces: int = 0
+    ) -> None:
+        """Takes the figures of a whole run into account; of a small one it takes none.
+
+        faces   of the surface: of many a run takes longer, and the machine is no slower for it
+        """
         if nodes < LEAST_NODES:
             return
-        factor = seconds / _seconds(options, _cost_of(options, nodes))
+        factor = seconds / _seconds(options, _cost_of(options, nodes, faces))
         # The machine may be busy with other things: half new, half old.
         self._factor = factor if self._factor is None else math.sqrt(self._factor * factor)
 
@@ -115,11 +120,13 @@ class Speeds:
         return (self._factor or 1.0) * _seconds(options, cost)
 
 
-def _cost_of(options: core.FlowOptions, nodes: float) -> core.Cost:
-    """The cost of a curve of `nodes` nodes, on a surface of few faces."""
+def _cost_of(options: core.FlowOptions, nodes: float, faces: int) -> core.Cost:
+    """The cost of a curve of `nodes` nodes, on a surface of so many faces that are all alike."""
     of_one = core.estimate_cost(core.Extent(0, 1.0, 1.0, 0.0), options)
     area = nodes / of_one.nodes
-    return core.estimate_cost(core.Extent(0, area, area, 0.0), options)
+    # Edges over the area, of equilateral triangles.
+    edges = 3.0**0.75 * math.sqrt(faces / area)
+    return core.estimate_cost(core.Extent(faces, area, area, edges), options)
 
 
 def _seconds(options: core.FlowOptions, cost: core.Cost) -> float:

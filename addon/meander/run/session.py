@@ -366,7 +366,8 @@ class Session:
         usual = self.plan.from_surface and self.whole and simple
         if stop_reason == "converged" and usual:
             options = self.plan.problem.options
-            estimate.speeds.learn(options, figures["nodes"], figures["seconds_total"])
+            faces = len(self.plan.problem.faces)
+            estimate.speeds.learn(options, figures["nodes"], figures["seconds_total"], faces)
         return result, figures
 
     def suspend(self) -> None:

@@ -31,18 +31,22 @@ constexpr double kFewNodes = 3000, kIterationGrowth = 0.2;
 /// What the 53 of a curve that fills the surface from its start, and the laying of it, cost in those of one that grows,
 /// which is short for half of them, likewise: from .25 s of 5,600 nodes on a torus to 660 s of 10 million.
 constexpr double kFullIterations = 80, kFullGrowth = 0.04;
-/// Processor seconds of an iteration for each node, and for each point, whose faces have to be fetched.
-constexpr double kSecondsPerNode = 0.21e-6, kSecondsPerPoint = 0.25e-6;
+/// Processor seconds of an iteration for each node, and for each point, whose faces have to be fetched; where a curve
+/// stays near to where it was laid, fewer for crossings beyond one a node.
+constexpr double kSecondsPerNode = 0.21e-6, kSecondsPerPoint = 0.25e-6, kSecondsPerFurtherPoint = 0.07e-6;
 /// And for each node and radian of curvature, in absolute value, of a disc of radius r, up to kMostRadians: the
 /// more it is curved, the more distances along the surface are measured. What is rougher is smoothed, and takes no
 /// longer for it. Displaced grids of 7,200 and 80,000 faces at two spacings, reliefs, spot and two control meshes:
 /// .15 to 12 rad, .5 to 3 us.
 constexpr double kSecondsPerRadian = 1.5e-6, kMostRadians = 1.4;
-/// Processor seconds for each face, once.
-constexpr double kSecondsPerFace = 0.25e-6;
+/// Processor seconds for each face, once: before a flow begins and after its end, and while a first curve is laid that
+/// fills the surface, for a smooth field of lines and their phase on all faces. Tori and spheres of 100,000 to
+/// 10,000,000 faces.
+constexpr double kSecondsPerFace = 2.5e-6, kLayingPerFace = 3.5e-6;
 
-/// Bytes for each face: of the surface, while distances along it are set up, and of a flow.
-constexpr double kSurfacePerFace = 195, kPatchesPerFace = 95, kFlowPerFace = 12;
+/// Bytes for each face: of the surface, while distances along it are set up, of a flow, and while a curve is laid that
+/// fills the surface.
+constexpr double kSurfacePerFace = 195, kPatchesPerFace = 95, kFlowPerFace = 12, kLayingBytesPerFace = 380;
 /// Bytes for each node of a flow, and what a polish and distances along the surface add to them.
 constexpr double kBytesPerNode = 1165, kPolishPerNode = 420, kGeodesicPerNode = 165;
 /// Long lists hand their memory on from step to step (base/page_store.h), so there are only those of one step at once:
@@ -108,13 +112,19 @@ Cost expected_cost(const Extent& extent, const FlowSettings& settings) {
       kBytesPerNode + (settings.polish ? kPolishPerNode : 0) + (along_surface ? kGeodesicPerNode : 0);
   const double of_nodes = std::min(per_node * cost.nodes, kLongPerNode * cost.nodes + kBesideLong);
   const double flow = of_nodes + kFlowPerFace * extent.faces;
-  const double set_up = along_surface ? kPatchesPerFace * extent.faces : 0;  // gone before the curve is long
-  cost.memory = kSurfacePerFace * extent.faces + std::max(flow, set_up);
+  // Gone before the curve is long.
+  const double set_up = std::max(along_surface ? kPatchesPerFace : 0, settings.full_start ? kLayingBytesPerFace : 0);
+  cost.memory = kSurfacePerFace * extent.faces + std::max(flow, set_up * extent.faces);
 
   const double of_disc = std::numbers::pi * r * r * std::min(extent.curvature, kMost);
   const double measuring = along_surface ? kSecondsPerRadian * std::min(of_disc, kMostRadians) : 0;
-  const double iteration = (kSecondsPerNode + measuring) * cost.nodes + kSecondsPerPoint * cost.points;
-  cost.processor_seconds = kSecondsPerFace * extent.faces + iterations_of(cost.nodes, settings) * iteration;
+  const double near = settings.full_start ? std::min(cost.points, 2 * cost.nodes) : cost.points;
+  const double further = std::min(cost.points, kMost) - near;
+  const double iteration = (kSecondsPerNode + measuring) * cost.nodes + kSecondsPerPoint * near +
+                           kSecondsPerFurtherPoint * std::max(further, 0.0);
+  const double of_face = kSecondsPerFace + (settings.full_start ? kLayingPerFace : 0);
+  const double faces = cost.nodes > 0 ? extent.faces : 0;  // without an area there is no run
+  cost.processor_seconds = of_face * faces + iterations_of(cost.nodes, settings) * iteration;
   return cost;
 }
 
