@@ -21,7 +21,7 @@ def radius_factors(radii: np.ndarray, radius: float) -> np.ndarray:
 def tilts(points: np.ndarray, normals: np.ndarray, cyclic: bool) -> np.ndarray:
     """The tilt of every point that turns Blender's Z-Up frame so that X is the surface normal.
 
-    points, normals  (n, 3), in the curve's own space; normals need no unit length
+    points, normals  (n, 3), in the curve's own space, of any kind; normals need no unit length
     """
     angles = np.empty(len(points))
     for begin, end in blocks(len(points)):

@@ -56,7 +56,8 @@ def draw(
     if modifier is None:
         return
     figures = result.meander.figures
-    figures.round_told, figures.round_of = tolerance_of(result), digest_of_curve(result.data)
+    own = _positions(result.data)
+    figures.round_told, figures.round_of = tolerance_of(result), digest_of_points(own)
     drawn = None
     if line is not None:
         curve = bpy.data.curves.new(f"{result.name} Round", "CURVE")
@@ -73,7 +74,7 @@ def draw(
     group = modifier.node_group
     modifier.node_group = group
     set_value(modifier, "Round Points", 0 if drawn is None else _point_count(result.data))
-    set_value(modifier, "Round Length", 0.0 if drawn is None else _length(result.data))
+    set_value(modifier, "Round Length", 0.0 if drawn is None else _length(result.data, own))
     if earlier is not None:
         remove_unused(earlier)
     result.update_tag()
@@ -136,9 +137,9 @@ def _point_count(curve: bpy.types.Curve) -> int:
     return sum(len(spline.points) for spline in curve.splines)
 
 
-def _length(curve: bpy.types.Curve) -> float:
+def _length(curve: bpy.types.Curve, positions: list[np.ndarray]) -> float:
     length = 0.0
-    for spline, points in zip(curve.splines, _positions(curve)):
+    for spline, points in zip(curve.splines, positions):
         for begin, end in blocks(len(points) - 1):
             steps = np.diff(points[begin : end + 1], axis=0)
             length += float(np.linalg.norm(steps, axis=1).sum())

@@ -31,7 +31,7 @@ def set_tilt_and_radius(
     normals = np.asarray(polylines.normals, dtype=np.float64) @ matrix[:3, :3]
     for spline, begin, end in zip(curve.splines, offsets[:-1], offsets[1:]):
         if flat:
-            points = column(spline.points, "co", 4)[:, :3].astype(np.float64)
+            points = column(spline.points, "co", 4)[:, :3]
             tilt = tilts(points, normals[begin:end], spline.use_cyclic_u)
             spline.points.foreach_set("tilt", tilt.astype(np.float32))
         if factors is not None:
