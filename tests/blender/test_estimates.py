@@ -11,6 +11,7 @@ from meander.model.estimate import Estimate
 from meander.run import estimate as estimates
 from meander.run.plan import plan_run
 from meander.run.queue import Queue, objects_of
+from meander.scene.look import Look
 from meander.ui import fill as run_operators
 from meander.ui import preferences
 from scenes import activate, cube, fill, grid, point_count, sphere
@@ -247,16 +248,18 @@ def test_a_question_names_the_export_where_blender_would_hang(monkeypatch):
             ask_run=lambda _mode, **given: asked.append(given)
         )))
     )
-    for points in (600_000, 3_000_000):
+    for points, radius in ((600_000, 0.2), (3_000_000, 0.2), (3_000_000, 0.0)):
         operator = SimpleNamespace(
             _queue=SimpleNamespace(estimate_of_rest=lambda *_, n=points: Estimate(n, 1.0, 10**7)),
             _what=dict,
         )
-        assert run_operators.MEANDER_OT_run._asks(operator, None, None)
+        plan = SimpleNamespace(look=Look(radius))
+        assert run_operators.MEANDER_OT_run._asks(operator, None, plan)
     rows = Rows()
     run_operators.draw_question(rows, asked[1]["figures"], asked[1]["notice"])
     assert any("batch command" in text for text in rows.texts)
     assert asked[0]["notice"] == ""
+    assert asked[2]["notice"] == "", "a bare curve"
 
 
 def test_scripts_are_not_asked(monkeypatch):
