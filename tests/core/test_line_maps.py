@@ -53,6 +53,19 @@ def test_pixels_say_how_far_the_line_is(sheet: Mapped) -> None:
     assert np.median(off) < 1e-4 and np.percentile(off, 99) < 0.02 and off.max() < 0.1
 
 
+def test_on_the_inside_of_a_bend_the_nearer_side_counts(sheet: Mapped) -> None:
+    """What lies between corners that are nearest to both its sides may be nearest to either."""
+    cut, rng = sheet.cut, np.random.default_rng(1)
+    sides = np.diff(cut.positions[cut.faces], axis=1)
+    area = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1)
+    faces = rng.choice(len(area), 40_000, p=area / area.sum()).astype(np.int32)
+    weights = rng.dirichlet([1.0, 1.0, 1.0], len(faces)).astype(np.float32)
+    found = core.cut_places(cut, SPACING, faces, weights, False).distances
+    places = (cut.positions[cut.faces[faces]] * weights[:, :, None]).sum(axis=1)[:, :2]
+    off = np.abs(found - np.minimum(true_distances(sheet, places), SPACING))
+    assert off.max() < 0.012 * SPACING
+
+
 def test_an_image_is_the_same_for_any_number_of_threads(sheet: Mapped) -> None:
     places = np.random.default_rng(1).uniform(-20, 120, (400, 3, 2))
     one, two = (core.map_pixels(places, 100, 5, threads) for threads in (1, 2))

@@ -24,12 +24,14 @@ struct Hint {
   double along;
 };
 
-/// All that is asked of a face, side by side.
+/// All that is asked of a face, side by side. On the inside of a bend nearest places are farther apart than what they
+/// are nearest to, and those on both its sides may be nearer than all in between: there each corner's own is asked.
 struct FaceOfMap {
   std::array<Vec3, 3> places;
   std::array<double, 3> from_turn, to_line, along;
   uint32_t strand = 0;
   bool alone = true;  // no other turn meets it at a corner
+  bool inside_bend = false;
 };
 
 double between(const std::array<double, 3>& values, const std::array<double, 3>& w) {
@@ -93,6 +95,9 @@ class Measuring {
     if (!line_.has(face.strand)) return found;
     const Hint own{face.strand, between(face.along, w)};
     take(own, point, found);
+    if (face.inside_bend) {
+      for (const double along : face.along) take({face.strand, along}, point, found);
+    }
     const double straight = between(face.from_turn, w), chords = between(face.to_line, w);
     const double bending = chords > 0 ? straight / chords : 1;
     if (!face.alone) {
@@ -119,6 +124,10 @@ class Measuring {
       }
     }
     if (line_.has(face.strand)) for_others(f, face, [&](const Hint&) { face.alone = false; });
+    for (size_t k = 0; k < 3; ++k) {
+      const double step = (face.places[(k + 1) % 3] - face.places[k]).norm();
+      face.inside_bend = face.inside_bend || std::abs(face.along[(k + 1) % 3] - face.along[k]) > step;
+    }
   }
   /// Calls visit(hint) for the other turns that meet a face at its corners.
   template <class Visit>

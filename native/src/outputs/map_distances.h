@@ -20,8 +20,9 @@ struct PlacesOfMap {
 };
 
 /// Finds the place on the curve that is nearest to each of some places of faces, with their weights of corners: near
-/// the one between those of the corners, or near one that another face at these corners belongs to. So the border
-/// between two turns lies where they are equally near, however the faces there are cut. Of the face -1 all is 0.
+/// the one between those of the corners, on the inside of a bend also near each of these, or near one that another
+/// face at these corners belongs to. So the border between two turns lies where they are equally near, however the
+/// faces there are cut. Of the face -1 all is 0.
 ///
 /// The distance is the straight one from there, in proportion to the corners' own distances where the surface bends on
 /// the way.
