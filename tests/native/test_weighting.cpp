@@ -53,6 +53,13 @@ struct Scene {
     }
     add_strand(points, true);
   }
+  /// Straight but for one turn, at node 8.
+  void add_kink(double turn) {
+    std::vector<Vec2> points;
+    for (int k = -8; k <= 0; ++k) points.push_back({0.5 * k, 0});
+    for (int k = 1; k <= 8; ++k) points.push_back({0.5 * k * std::cos(turn), 0.5 * k * std::sin(turn)});
+    add_strand(points, false);
+  }
   /// Rows 2 r apart, most of them 6 r long, joined by half turns.
   void add_rows() {
     std::vector<Vec2> points;
@@ -384,10 +391,7 @@ TEST(Weighting, HairpinsAreRemovedFirstAndThenKeptRound) {
 TEST(Weighting, TipsThatTurnWithinASegmentAreStiffOnceSegmentsAreShort) {
   for (const double turn : {0.35, 0.6, 0.95}) {  // times 1 / .75: .47, .8 and 1.27 of 1 / r
     Scene s;
-    std::vector<Vec2> points;
-    for (int k = -8; k <= 0; ++k) points.push_back({0.5 * k, 0});
-    for (int k = 1; k <= 8; ++k) points.push_back({0.5 * k * std::cos(turn), 0.5 * k * std::sin(turn)});
-    s.add_strand(points, false);
+    s.add_kink(turn);
     s.settings.polish = true;
     for (const double rest : {kUsualRest, 1.0}) {
       s.settings.polish_rest = rest;
@@ -400,6 +404,27 @@ TEST(Weighting, TipsThatTurnWithinASegmentAreStiffOnceSegmentsAreShort) {
       }
     }
   }
+}
+
+/// A full start has few tips, so these may be stiffer, and the boundary pushes them flat, with a corner at either end.
+TEST(Weighting, TipsOfAFullStartAreStifferAboveAllBesideTheBoundary) {
+  Scene s;
+  s.add_kink(0.95);
+  s.settings.polish = true;
+  s.settings.polish_rest = kUsualRest;
+  s.settings.full_start = true;
+  EXPECT_NEAR(s.weights(Phase::kFinishing).bending[8], 1.2 * (1 + kTipStiffening), kRounding);
+  EXPECT_NEAR(s.weights(Phase::kPolishing).bending[8], 1.2, kRounding);
+  const auto reach_of = [](double left) { return ReachOfSide{left * kRadius, left * kRadius, left * kRadius}; };
+  s.reach.assign(s.curve.size(), {reach_of(3), reach_of(1)});
+  const Weights beside = s.weights(Phase::kFinishing);
+  for (uint32_t i = 0; i < s.curve.size(); ++i) {
+    EXPECT_NEAR(beside.bending[i], i == 8 ? 1.2 * (1 + kTipStiffeningAtBoundary) : 1.2, kRounding) << i;
+  }
+  EXPECT_GT(kTipStiffening, kHairpinStiffening);
+  EXPECT_GT(kTipStiffeningAtBoundary, kTipStiffening);
+  s.settings.full_start = false;
+  EXPECT_NEAR(s.weights(Phase::kFinishing).bending[8], 1.2 * (1 + kHairpinStiffening), kRounding);
 }
 
 /// No strand comes from beyond the boundary to fill the void between two hairpins that end there, so they may be blunt.

@@ -204,25 +204,33 @@ bool beside_boundary(const Weighting& w, size_t i) {
   return left < w.state.metric.max_radius[i] && left < kBesideBoundary * w.state.metric.radius[i];
 }
 
+/// How far x is on the way from one to the other, from 0 to 1.
+double from_to(double low, double high, double x) { return std::clamp((x - low) / (high - low), 0.0, 1.0); }
+
 /// More bending where a strand turns too sharply. Nearly all radii that are too small lie inside hairpins, and as much
 /// bending elsewhere would hold strands back that should yield to them. Once segments are short, tips that turn within
-/// one or two of them are bent likewise: over the whole hairpin their curvature is as it should be. Less beside the
-/// boundary, as far as the plan says: no strand comes from there to fill the void between two hairpins, so their tips
-/// have to be blunt.
+/// one or two of them are bent likewise: over the whole hairpin their curvature is as it should be. A full start has
+/// few of them, which may be bent more, above all beside the boundary, which pushes tips flat, with a corner at each end.
+/// Less beside it as far as the plan says: no strand comes from there to fill the void between two hairpins, so their
+/// tips have to be blunt.
 void bend_as_room_allows(const Weighting& w) {
   const NodeData<double> curvature =
       smoothed_curvature(w.state.curve, w.state.metric, kCurvatureSmoothing, w.pool);
   const double segment = w.plan.segment_length / w.settings().radius;
+  const bool full = w.settings().full_start;
   NodeData<double> of_tips;
   if (w.plan.phase > Phase::kPolishing && w.state.rounds_tips()) {
     of_tips = smoothed_curvature(w.state.curve, w.state.metric, kTipSmoothing * segment, w.pool);
   }
   w.pool.for_blocks(curvature.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      double tightness = (curvature[i] - kRoundHairpin) / (kTightHairpin - kRoundHairpin);
-      if (!of_tips.empty()) tightness = std::max(tightness, (of_tips[i] - kRoundTip) / (kTightTip - kRoundTip));
-      double factor = 1 + kHairpinStiffening * std::clamp(tightness, 0.0, 1.0);
-      if (beside_boundary(w, i)) factor = std::lerp(factor, kBoundaryBending, w.plan.medial.boundary_ease);
+      const bool beside = beside_boundary(w, i);
+      double factor = 1 + kHairpinStiffening * from_to(kRoundHairpin, kTightHairpin, curvature[i]);
+      if (!of_tips.empty()) {
+        const double most = !full ? kHairpinStiffening : beside ? kTipStiffeningAtBoundary : kTipStiffening;
+        factor = std::max(factor, 1 + most * from_to(kRoundTip, kTightTip, of_tips[i]));
+      }
+      if (beside) factor = std::lerp(factor, kBoundaryBending, w.plan.medial.boundary_ease);
       w.weights.bending[i] *= factor;
     }
   });
