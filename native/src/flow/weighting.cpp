@@ -210,7 +210,7 @@ double from_to(double low, double high, double x) { return std::clamp((x - low) 
 /// More bending where a strand turns too sharply. Nearly all radii that are too small lie inside hairpins, and as much
 /// bending elsewhere would hold strands back that should yield to them. Once segments are short, tips that turn within
 /// one or two of them are bent likewise: over the whole hairpin their curvature is as it should be. A full start has
-/// few of them, which may be bent more, above all beside the boundary, which pushes tips flat, with a corner at each end.
+/// few of them, which may be bent more, above all beside the boundary: it pushes tips flat, with corners at both ends.
 /// Less beside it as far as the plan says: no strand comes from there to fill the void between two hairpins, so their
 /// tips have to be blunt.
 void bend_as_room_allows(const Weighting& w) {
