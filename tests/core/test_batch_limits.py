@@ -5,11 +5,15 @@ from __future__ import annotations
 
 import json
 import re
+import threading
 from pathlib import Path
+from types import ModuleType
 
+import geometry
 import pytest
-from meander import batch
+from meander import batch, core
 from meander.cli import command, limits, watching, writing
+from meander.cli.place import Place
 from meander.model.estimate import available_memory
 from sentences import assert_sentence
 
@@ -158,6 +162,7 @@ def test_a_large_run_says_what_it_comes_to_and_what_it_is_about(
     square: Square, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """From before its first iteration to its file; a small one says none of it."""
+    monkeypatch.setattr(watching, "_FIRST_SECONDS", 1e9)  # however slow the machine is
     said = square.told("--spacing", 0.1, "--iterations", 2)
     begun = [f"meander: {what}" for what in ("about ", "measuring", "looking", "writing", "wrote")]
     assert [what in said for what in begun] == [False, False, False, False, True]
@@ -167,6 +172,56 @@ def test_a_large_run_says_what_it_comes_to_and_what_it_is_about(
     places = [said.index(what) for what in begun]
     assert places == sorted(places)
     assert " nodes, " in said and " of a processor\n" in said
+
+
+@pytest.mark.parametrize(
+    ("phase", "module", "name"),
+    [
+        ("reading .*square.obj,", command, "read_input"),
+        ("preparing the mesh, 0%", command, "open_flow"),
+    ],
+)
+def test_what_comes_before_a_run_is_said_while_it_lasts(
+    phase: str,
+    module: ModuleType,
+    name: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Whatever takes its time: here it waits until a line is there."""
+    lines: list[str] = []
+    there, work = threading.Event(), getattr(module, name)
+
+    def say(line: str) -> None:
+        lines.append(line)
+        if re.fullmatch(rf"meander: {phase} after [\d.]+ s", line):
+            there.set()
+
+    def slow(*given: object) -> object:
+        assert there.wait(60)
+        return work(*given)
+
+    monkeypatch.setattr(watching, "_FIRST_SECONDS", 0.0)
+    monkeypatch.setattr(module, name, slow)
+    mesh, output = tmp_path / "square.obj", tmp_path / "out.obj"
+    mesh.write_text(SQUARE)
+    options = ["--input", mesh, "--output", output, "--spacing", 0.1, "--iterations", 1]
+    assert command.main([str(item) for item in options], Place("meander", say)) == 0
+    assert there.is_set()
+
+
+def test_a_surface_leaves_the_progress_of_a_run_as_it_is() -> None:
+    vertices, faces = geometry.icosphere(3)
+    options = core.default_options("even")
+    options.radius, options.iteration_limit = 0.1, 3
+    with core.Context() as context, core.Surface(vertices, faces, context=context) as surface:
+        assert context.progress == 0.0
+        with core.Flow(surface, options, context=context) as flow:
+            assert context.progress == 0.0
+            flow.run(context)
+            assert context.progress == 1.0
+        core.Surface(vertices, faces, context=context).close()
+        assert context.progress == 1.0
 
 
 def test_the_phase_of_a_run_is_said(square: Square, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -3,6 +3,7 @@
 // What a run says of how far it has come.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -73,6 +74,46 @@ TEST(Progress, CountsTheIterationsThatAreAskedFor) {
   settings = with_polish();
   settings.hairpin_removal_gentleness = 1;  // with a longer polish
   EXPECT_LT(progress_of(settings, at(Phase::kPolishing, 0, 1)), usual);
+}
+
+/// On a mesh of many faces a node most of the time passes until the first curve is laid.
+TEST(Progress, OfALaidCurveKnowsTheFaces) {
+  const FlowSettings settings = with_polish();
+  const auto when_laid = [&](double faces_a_node) {
+    ProgressFigures figures = at(Phase::kStarting, 0, 0);
+    figures.full = true;
+    figures.faces_a_node = faces_a_node;
+    figures.laid = 1;
+    const double laid = progress_of(settings, figures);
+    figures.phase = Phase::kGrowing;
+    EXPECT_DOUBLE_EQ(progress_of(settings, figures), laid);
+    return laid;
+  };
+  const double few = when_laid(0.1);
+  EXPECT_DOUBLE_EQ(when_laid(1), few);
+  EXPECT_LT(few, 0.5);
+  EXPECT_GT(when_laid(50), 0.6);
+  EXPECT_GT(when_laid(200), when_laid(50));
+  EXPECT_LT(when_laid(200), 1);
+}
+
+TEST(Progress, OfASurfaceAndAFlowRisesToOne) {
+  const Mesh mesh = sphere(4);
+  std::vector<double> told;
+  const Tell tell = [&](double share) { told.push_back(share); };
+  const auto check = [&](const char* what) {
+    SCOPED_TRACE(what);
+    EXPECT_GE(told.size(), 2u);
+    EXPECT_TRUE(std::ranges::is_sorted(told));
+    EXPECT_TRUE(std::ranges::all_of(told, [](double share) { return share > 0 && share <= 1; }));
+    told.clear();
+  };
+  const auto surface = std::make_shared<const Surface>(mesh.vertices, mesh.faces, 1, CancelToken(), tell);
+  check("surface");
+  FlowSettings settings = with_polish();
+  settings.radius = 0.1;
+  const Flow flow(surface, nullptr, {}, settings, {}, tell);
+  check("flow");
 }
 
 /// Without a polish the quiet iterations, at whose number the paper's rule ends a run, lead to the end.

@@ -113,7 +113,8 @@ def _filled(
 
     warned   what there is to warn of has been said
     """
-    given = read_input(arguments, place)
+    with told(None, f"reading {arguments.input}", place.say, large=False):
+        given = read_input(arguments, place)
     maps.refuse_inputs(arguments, given, place)
     options = given.problem.options
     warnings = _warnings_of(given)
@@ -168,9 +169,8 @@ def _filled(
 
 
 def _gaps_of(flow: core.Flow, opened: Opened, place: Place) -> core.Gaps:
-    if opened.cost.nodes <= LARGE:
-        return flow.gaps()
-    with core.Context() as context, told(context, "looking for gaps", place.say):
+    large = opened.cost.nodes > LARGE
+    with core.Context() as context, told(context, "looking for gaps", place.say, large):
         return flow.gaps(context=context)
 
 
@@ -282,14 +282,18 @@ def _open(given: Input, arguments: argparse.Namespace, place: Place) -> Opened:
     """Opens the flow, unless it would be too large; an error names elements as the user counts
     them."""
 
+    about = ["preparing the mesh"]
+
     def accept(of_library: core.Cost) -> None:
         cost = limits.of_process(of_library, given.problem)
         limits.refuse_large(cost, arguments)
         if LARGE < cost.nodes <= limits.MOST_OF_LIBRARY:
             place.say(f"meander: about {cost_in_words(cost)}")
+        about.append("looking at the surface")
 
     try:
-        opened = open_flow(given.problem, accept=accept)
+        with core.Context() as context, told(context, lambda: about[-1], place.say, large=False):
+            opened = open_flow(given.problem, context, accept)
         return replace(opened, cost=limits.of_process(opened.cost, given.problem))
     except core.MeanderError as refusal:
         named = flags.in_own_words(refusal, arguments)

@@ -55,19 +55,37 @@ def run(flow: core.Flow, say: Callable[[str], None]) -> str:
 
 
 @contextmanager
-def told(context: core.Context, what: str, say: Callable[[str], None]) -> Iterator[None]:
+def told(
+    context: core.Context | None,
+    what: str | Callable[[], str],
+    say: Callable[[str], None],
+    large: bool = True,
+) -> Iterator[None]:
     """Says how far a call that was given this context is, as `run` does.
 
-    what   the call does, in words
+    context   None: how far it is nobody knows
+    what      is done, in words; or what says so, for a call of several parts
+    large     it is known to last; else nothing is said of what takes less than a second
     """
     started = time.monotonic()
     ended = threading.Event()
+    words = what if callable(what) else lambda: what
 
     def tell() -> None:
-        while not ended.wait(_PROGRESS_SECONDS):
-            say(f"meander: {what}, {context.progress:.0%} after {time.monotonic() - started:.1f} s")
+        printed, before = 0.0, words() if large else ""
+        next_at = started + (_PROGRESS_SECONDS if large else _FIRST_SECONDS)
+        while not ended.wait(_LONGEST_PAUSE):
+            progress, now = 0.0 if context is None else context.progress, time.monotonic()
+            begun, about = large or now >= started + _FIRST_SECONDS, words()
+            printed = printed if about == before else -_PROGRESS_SHARE
+            if now < next_at and not (begun and progress >= printed + _PROGRESS_SHARE):
+                continue
+            far = "" if context is None else f" {progress:.0%}"
+            say(f"meander: {about},{far} after {now - started:.1f} s")
+            printed, before, next_at = progress, about, now + _PROGRESS_SECONDS
 
-    say(f"meander: {what}")
+    if large:
+        say(f"meander: {words()}")
     teller = threading.Thread(target=tell, daemon=True)
     teller.start()
     try:

@@ -149,8 +149,8 @@ MEANDER_API void meander_context_reset(meander_context* context);
  * it follows the length of the curve towards the length that is expected to fill the surface, and then
  * the iterations. Updated once an iteration, and after each step of laying a first curve, by
  * meander_flow_run, by a started run and by meander_flow_step, whose steps are one run until a reset;
- * 0 before the first run, after a reset, and for NULL. Also how far a search for gaps is, while it
- * lasts. Any thread. */
+ * 0 before the first run, after a reset, and for NULL. Also how far a search for gaps is, and the making
+ * of a surface and of a flow, while it lasts. Any thread. */
 MEANDER_API double meander_context_progress(const meander_context* context);
 
 /* What the present run of a flow is about. */

@@ -9,6 +9,7 @@
 #include "api/flow_options.h"
 #include "api/found.h"
 #include "api/guard.h"
+#include "api/lent_progress.h"
 #include "api/seed.h"
 
 using namespace meander;
@@ -79,8 +80,9 @@ meander_status meander_flow_create(const meander_surface* surface, const meander
     if (seed) strands = checked_seed(seed);
     strands.max_distance /= surface->surface->scale();
     auto made = std::make_unique<meander_flow>();
+    const LentProgress lent(context);
     made->flow = std::make_unique<Flow>(surface->surface, seed ? &strands : nullptr, densities, settings,
-                                        cancel_of(context));
+                                        cancel_of(context), lent.tell());
     made->map = surface->map;
     check_cancelled(context);
     *flow = made.release();

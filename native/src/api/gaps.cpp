@@ -6,6 +6,7 @@
 #include "api/caller_mesh.h"
 #include "api/found.h"
 #include "api/guard.h"
+#include "api/lent_progress.h"
 
 using namespace meander;
 
@@ -17,25 +18,6 @@ struct GapArrays {
   std::vector<uint32_t> faces;
   std::vector<uint8_t> narrow;
   EmptyArea empty;
-};
-
-/// The progress of a context, for a search: afterwards it is that of the run again, which later steps go on from.
-class LentProgress {
- public:
-  explicit LentProgress(meander_context* context) : share_(context ? &context->control->progress : nullptr) {
-    if (share_) of_run_ = *share_;
-  }
-  ~LentProgress() {
-    if (share_) *share_ = of_run_;
-  }
-  LentProgress(const LentProgress&) = delete;
-  LentProgress& operator=(const LentProgress&) = delete;
-
-  std::atomic<double>* share() const { return share_; }
-
- private:
-  std::atomic<double>* share_;
-  double of_run_ = 0;
 };
 
 GapArrays in_terms_of_the_caller(const Gaps& gaps, const Surface& surface, const MeshMap* map) {

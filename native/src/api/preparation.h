@@ -8,6 +8,7 @@
 
 #include "api/handles.h"
 #include "base/cancel_token.h"
+#include "base/tell.h"
 
 namespace meander {
 
@@ -15,6 +16,6 @@ namespace meander {
 /// options out of their range and a mesh that cannot be used, and where `cancel` stops it.
 std::unique_ptr<meander_surface> prepared_surface(std::span<const double> vertices, std::span<const uint32_t> faces,
                                                   const meander_surface_options& options,
-                                                  const CancelToken& cancel);
+                                                  const CancelToken& cancel, const Tell& tell);
 
 }  // namespace meander

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "api/guard.h"
+#include "api/lent_progress.h"
 #include "api/preparation.h"
 #include "api/structs.h"
 
@@ -21,8 +22,9 @@ meander_status meander_surface_create(const double* vertices, size_t vertex_coun
       o = read_struct(options);
     }
     check_cancelled(context);
+    const LentProgress lent(context);
     auto made = prepared_surface(std::span(vertices, 3 * vertex_count), std::span(faces, 3 * face_count), o,
-                                 cancel_of(context));
+                                 cancel_of(context), lent.tell());
     check_cancelled(context);
     *surface = made.release();
   });

@@ -33,6 +33,9 @@ double filling_length(const Surface& surface, const RadiusField& radius) {
   return length;
 }
 
+/// Which share of the time of a domain has passed when the surface is smoothed, or need not be.
+constexpr double kSmoothed = 0.3;
+
 }  // namespace
 
 double expected_nodes(const Surface& surface, const FlowSettings& settings,
@@ -46,7 +49,7 @@ double expected_nodes(const Surface& surface, const FlowSettings& settings,
 }
 
 Domain::Domain(std::shared_ptr<const Surface> where, RadiusField asked, LineField field, const FlowSettings& settings,
-               ThreadPool& pool)
+               ThreadPool& pool, const Tell& tell)
     : given(std::move(where)),
       asked_radius(std::move(asked)),
       surface(given),
@@ -55,8 +58,10 @@ Domain::Domain(std::shared_ptr<const Surface> where, RadiusField asked, LineFiel
       directions(std::move(field)),
       normals(std::make_shared<const NormalField>(*given, settings.radius)) {
   look_at_scale(settings, pool);
+  if (tell) tell(kSmoothed);
   boundary = sampled_boundary(*surface, settings);
   patches = patches_for(*surface, wanted_radius, settings, pool);
+  if (tell) tell(1);
   look_at_lines(settings);
 }
 

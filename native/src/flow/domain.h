@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "base/tell.h"
 #include "flow/settings.h"
 #include "geodesic/surface_patches.h"
 #include "mesh/line_field.h"
@@ -24,12 +25,13 @@ namespace meander {
 struct Domain {
   /// `asked`       r on that surface as it is to be in the end
   /// `directions`  that strands are to follow; may be empty
+  /// `tell`        is told how far this is
   Domain(std::shared_ptr<const Surface> where, RadiusField asked, LineField directions, const FlowSettings& settings,
-         ThreadPool& pool);
+         ThreadPool& pool, const Tell& tell = {});
   /// `density` positive, or empty: 1 everywhere.
   Domain(std::shared_ptr<const Surface> where, const VertexData<double>& density, const FlowSettings& settings,
-         ThreadPool& pool)
-      : Domain(std::move(where), RadiusField(settings.radius, density), {}, settings, pool) {}
+         ThreadPool& pool, const Tell& tell = {})
+      : Domain(std::move(where), RadiusField(settings.radius, density), {}, settings, pool, tell) {}
 
   /// Other directions to follow, of the given surface.
   void follow(LineField field, const FlowSettings& settings, ThreadPool& pool);

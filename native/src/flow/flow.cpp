@@ -16,10 +16,13 @@
 namespace meander {
 namespace {
 
+/// Which share of the time of a flow's beginning has passed when its domain is known.
+constexpr double kDomainKnown = 0.95;
+
 FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands* seed,
                       const VertexData<double>& density, const FlowSettings& settings, ThreadPool pool,
-                      SeedFit& fit) {
-  Domain domain(std::move(surface), density, settings, pool);
+                      SeedFit& fit, const Tell& tell) {
+  Domain domain(std::move(surface), density, settings, pool, part_of(tell, 0, kDomainKnown));
   Curve curve = first_curve(*domain.given, seed, domain.asked_radius, settings.widen_loops, domain.boundary->tree(),
                             2 * settings.boundary_distance, pool, &fit, settings.variation);
   return {{std::move(curve), {}, {}}, settings, std::move(domain), {settings.full_start, {}, 0}};
@@ -43,10 +46,10 @@ Beginning beginning(const FlowSettings& settings, const Domain& domain, const Cu
 }  // namespace
 
 Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const VertexData<double>& density,
-           const FlowSettings& settings, const CancelToken& cancel)
+           const FlowSettings& settings, const CancelToken& cancel, const Tell& tell)
     : pool_(settings.threads),
       drawn_(seed && !seed->offsets.empty() ? seed->offsets.size() - 1 : 0),
-      state_(first_state(std::move(surface), seed, density, settings, pool_.with(cancel), seed_fit_)),
+      state_(first_state(std::move(surface), seed, density, settings, pool_.with(cancel), seed_fit_, tell)),
       convergence_(settings, beginning(settings, state_.domain, state_.curve, drawn_)),
       approach_(settings.start_spacing_factor, settings.radius, state_.domain.surface->area()) {
   ThreadPool pool = pool_.with(cancel);
@@ -169,6 +172,8 @@ double Flow::progress_with(double laid, double part) const {
   figures.part = part;
   figures.length = state_.curve.growing_length();
   figures.expected_length = state_.domain.expected_length;
+  const double nodes = figures.expected_length / (kMeanSegment * state_.settings.segment_length);
+  figures.faces_a_node = static_cast<double>(state_.domain.surface->face_count()) / nodes;
   figures.iterations = static_cast<uint32_t>(record_.iterations());
   figures.quiet_iterations = convergence_.quiet_iterations();
   return progress_of(state_.settings, figures);

@@ -22,9 +22,10 @@ namespace meander {
 /// One thread at a time may use it, but for what says otherwise.
 class Flow {
  public:
-  /// `seed` null: face loops. `density`: positive; empty: 1 everywhere. Throws Failure, also where `cancel` stops it.
+  /// `seed` null: face loops. `density`: positive; empty: 1 everywhere. Throws Failure, also where `cancel` stops it;
+  /// `tell` is told how far it is.
   Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const VertexData<double>& density,
-       const FlowSettings& settings, const CancelToken& cancel = {});
+       const FlowSettings& settings, const CancelToken& cancel = {}, const Tell& tell = {});
 
   /// The lines that alignment_weight refers to; before the first iteration.
   void set_field(LineField field);

@@ -6,6 +6,7 @@
 
 #include "base/elementary.h"
 #include "flow/constants.h"
+#include "seed/full_start.h"
 
 namespace meander {
 namespace {
@@ -46,15 +47,16 @@ double share_with_polish(const FlowSettings& settings, const ProgressFigures& fi
   const double polish = polish_iterations(settings, figures.full);
   const double finishing = settings.growth_coarsening * kFinishingIterations;
   const double cooling = settings.growth_coarsening * kCoolingIterations;
-  const double growth = figures.full ? kLayingWork + kFullGrowthIterations : kGrowthWork;
+  const double laying = kLayingWork * (1 + laying_of_faces(figures.faces_a_node));
+  const double growth = figures.full ? laying + kFullGrowthIterations : kGrowthWork;
   const double all = growth + removal + polish + finishing + cooling;
   const double age = figures.iterations_in_phase + figures.part;
   double done = growth;
   switch (figures.phase) {
-    case Phase::kStarting: done = kLayingWork * figures.laid; break;
+    case Phase::kStarting: done = laying * figures.laid; break;
     case Phase::kGrowing:
       if (figures.full) {
-        done = kLayingWork + kFullGrowthIterations * slowed(age / kFullGrowthIterations);
+        done = laying + kFullGrowthIterations * slowed(age / kFullGrowthIterations);
         break;
       }
       [[fallthrough]];

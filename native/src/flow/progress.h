@@ -18,6 +18,7 @@ struct ProgressFigures {
   bool full = false;              ///< the curve began full
   double part = 0;                ///< of the iteration under way, from 0 to 1
   double laid = 0;                ///< of a first curve that is being laid, from 0 to 1
+  double faces_a_node = 0;        ///< of a curve that fills the surface
 };
 
 /// About the share of the work that is done, from 0 to 1, and 1 only where the limit is reached: by what is laid of a

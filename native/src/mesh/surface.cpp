@@ -10,6 +10,7 @@
 #include "base/elementary.h"
 #include "base/failure.h"
 #include "base/thread_pool.h"
+#include "mesh/constants.h"
 
 namespace meander {
 namespace {
@@ -45,10 +46,11 @@ void copy(const Values& from, Values& to, const CancelToken& poll) {
 }  // namespace
 
 Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> faces, unsigned threads,
-                 const CancelToken& cancel)
+                 const CancelToken& cancel, const Tell& tell)
     : caller_(vertices.begin(), vertices.end()) {
   ThreadPool pool = ThreadPool(faces.size() / 3 > kMeshGrain ? threads : 1).with(cancel);
   CheckedMesh mesh = check_mesh(vertices, faces, pool);
+  if (tell) tell(kMeshChecked);
   faces_ = std::move(mesh.faces);
   flipped_ = std::move(mesh.flipped);
   component_ = std::move(mesh.component);
@@ -57,7 +59,9 @@ Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> fac
   flipped_count_ = static_cast<uint32_t>(std::count(flipped_.begin(), flipped_.end(), 1));
   place(mesh.placement, pool);
   connect(mesh.twin, pool);
+  if (tell) tell(kFacesConnected);
   lay_out(pool);
+  if (tell) tell(1);
 }
 
 Surface Surface::deformed(std::span<const double> vertices, ThreadPool& pool, const MeshMap* map) const {

@@ -14,6 +14,7 @@
 #include "base/eigen.h"
 #include "base/large_pages.h"
 #include "base/plane.h"
+#include "base/tell.h"
 #include "mesh/mesh_check.h"
 #include "mesh/vertex_data.h"
 
@@ -47,9 +48,9 @@ class Surface {
  public:
   /// Throws Failure(FailureKind::kInvalidMesh), see meander_surface_create. `threads` as of a ThreadPool; the
   /// surface is the same for any number. Throws Failure(FailureKind::kCancelled) where
-  /// `cancel` stops it.
+  /// `cancel` stops it; `tell` is told how far it is.
   Surface(std::span<const double> vertices, std::span<const uint32_t> faces, unsigned threads = 1,
-          const CancelToken& cancel = {});
+          const CancelToken& cancel = {}, const Tell& tell = {});
 
   /// The same faces with their vertices in other places. The connectivity stays the same, so a point of a face,
   /// or of an edge, is one of the new surface too. The unit becomes the new

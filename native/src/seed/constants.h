@@ -249,6 +249,18 @@ inline constexpr double kFillingBegins = 0.74;        // share of the time; kLin
 inline constexpr double kTreeBegins = 0.83;           // share of the time; kFillingBegins to 1; above
 inline constexpr double kWalkBegins = 0.89;           // share of the time; kTreeBegins to 1; above
 
+/// And where nearly all of the time goes by faces: of 60,000 nodes on 3,000,000 of these.
+inline constexpr double kLinesOfFacesBegin = 0.22;    // share of the time; kFieldBegins to 1; above
+inline constexpr double kFillingOfFacesBegins = 0.82; // share of the time; kLinesOfFacesBegin to 1; above
+inline constexpr double kTreeOfFacesBegins = 0.96;    // share of the time; kFillingOfFacesBegins to 1; above
+inline constexpr double kWalkOfFacesBegins = 0.98;    // share of the time; kTreeOfFacesBegins to 1; above
+
+/// What each face takes beyond one a node, over what a node does, and how much less it is where a segment crosses many;
+/// n r^2 / A of a curve of n nodes on an area A. Of 60,000 nodes on 1,000,000 and 3,000,000 faces.
+inline constexpr double kWorkOfFace = 0.4;            // times; > 0; above
+inline constexpr double kCrossedTogether = 0.32;      // times; > 0; above
+inline constexpr double kNodesPerArea = 1.467;        // nodes; > 0; above
+
 /// When the phase of lines is found, and the first of them laid unless they turn, of 850,000 nodes.
 inline constexpr double kPhaseFound = 0.97;           // share of the time of lines; kFirstLaid to 1; above
 inline constexpr double kFirstLaid = 0.9;             // share of the time of lines; 0 to 1; above

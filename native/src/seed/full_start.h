@@ -38,6 +38,10 @@ struct FullStart {
   bool laid_any() const { return std::ranges::find(strands, StrandStart::kLaid) != strands.end(); }
 };
 
+/// What the laying of a curve takes for the faces of a surface beyond one a node, which its field and phase are found
+/// on, over what it takes for the nodes.
+double laying_of_faces(double faces_a_node);
+
 /// Replaces the loops of a first curve, one in each region of the surface, by curves that fill them: lines along a
 /// field lie four radii apart, short links join them to a tree, and the curve walks round it on both sides. The lines
 /// are those of a StripePhase or streamlines. A strand that was drawn to grow is a trunk: it keeps its ends, its fixed
