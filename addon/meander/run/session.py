@@ -188,9 +188,7 @@ class Session:
             with self.plan.home.entered(context, self.plan.surface.find()) as home:
                 depsgraph = home.evaluated_depsgraph_get()
                 wish = live.wish_of(active, self.plan, self.stepper.density, depsgraph)
-            self._wished = (
-                None if wish is None else estimate.of_plan_or_none(wish.applied(self.plan))
-            )
+            self._wished = estimate.of_plan_or_none(wish.applied(self.plan)) if wish else None
             if self._grows_large():
                 raise DataError(VERY_LARGE)
         except (DataError, core.MeanderError) as error:
