@@ -20,6 +20,8 @@ class DisjointSets {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
+  /// Another one, alone.
+  void add() { parent_.push_back(static_cast<uint32_t>(parent_.size())); }
   /// False if they were one before.
   bool join(uint32_t i, uint32_t j) {
     i = find(i);

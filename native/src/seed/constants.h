@@ -128,8 +128,8 @@ inline constexpr double kPatchesKnow = 2.7;           // r; > 0; free
 inline constexpr double kFacingEachOther = 0.2;       // cosine; -1 to 1; free
 
 /// Streamlines: others begin beside every fourth node. One that is shorter than kShortest is not drawn, nor one between
-/// others that is shorter than kShortestBetween, nor one that is laid and shorter than kShortestLaid. Where a part of
-/// the surface has no other it may be as short as kShortestAlone.
+/// others that is shorter than kShortestBetween, nor one that is laid and shorter than kShortestLaid. Where no
+/// other is near it may be as short as kShortestAlone.
 inline constexpr size_t kBesideEvery = 4;             // nodes; > 0; free
 inline constexpr double kShortest = 1;                // distances where lines begin; > 0; free
 inline constexpr double kShortestBetween = 2;         // distances where lines begin; > 0; free
@@ -204,13 +204,38 @@ inline constexpr double kFromTip = 0.15;              // share of the distance f
 inline constexpr double kFarFromTip = 20;             // r, of that distance at most; > 0; free
 inline constexpr double kVaried = 2;                  // r; > 0; free
 
-/// A link that cannot be straight bends once, at one of so many places on each side of it, kSidestep lengths of the
-/// straight line apart: the last is seen at an angle of 72 degrees, and what is to be found may be narrow. Legs are as
-/// good where they are farther from the boundary than kLegsClear; each is measured at kPlacesOfLeg places.
+/// A path between ends that do not see each other bends once, at one of so many places on each side of it, kSidestep
+/// lengths of the straight line apart: the last is seen at an angle of 72 degrees. What is to be found may be narrow.
 inline constexpr int kSidesteps = 48;                 // places; > 0; geometry
 inline constexpr double kSidestep = 1.0 / 32;         // lengths; > 0; geometry
-inline constexpr double kLegsClear = 0.5;             // r; > 0; free
-inline constexpr int kPlacesOfLeg = 4;                // places; > 0; free
+
+/// Ways out of a tree begin at nodes no farther than kOutermost from the boundary or another tree. Steps lead from a
+/// place in kWayDirections, of length kWayStep or, where the boundary is nearer, a half of it or a quarter, to places
+/// kWayGrain of a step apart. A way counts no more than kLongestWay; a distance from the boundary beyond kOpenWay gains
+/// nothing, and nothing leads nearer to it than kNarrowestWay.
+inline constexpr double kOutermost = 4;               // r; > 0; "Ways out of a tree"
+inline constexpr size_t kWayDirections = 8;           // directions; > 2; free
+inline constexpr double kWayStep = 0.7;               // r; > 0; free
+inline constexpr double kWayGrain = 0.7;              // steps; 0 to 1; free
+inline constexpr double kLongestWay = 30;             // r; > 0; free
+inline constexpr double kOpenWay = 0.8;               // r; > 0; free
+inline constexpr double kNarrowestWay = 0.15;         // r; > 0; "Ways out of a tree"
+
+/// A way keeps kWayFromLines from lines of its tree, but for what is no farther along its own one than kWayOwnPart, and
+/// sees others from kWaySeen; from a place it is offered to kMostGoals nodes, and to each kMostOffers times. Legs are
+/// no longer than kLongestLegOfWay, and as clear as kLegsAsClear of the steps they stand for.
+inline constexpr double kWayFromLines = 0.8;          // r; > 0; free
+inline constexpr double kWayOwnPart = 2;              // r; > 0; free
+inline constexpr double kWaySeen = 1.5;               // r; > 0; free
+inline constexpr size_t kMostGoals = 4;               // nodes; > 0; free
+inline constexpr size_t kMostOffers = 8;              // ways; > 0; free
+inline constexpr double kLongestLegOfWay = 4;         // r; > 0; free
+inline constexpr double kLegsAsClear = 0.8;           // share of the clearance; 0 to 1; free
+
+/// On the ways out of a tree no more places are looked at than kPlacesOfTree, and kPlacesOfNode for each node at which
+/// ways begin; of all trees, than ten times the first, and one for every other node.
+inline constexpr size_t kPlacesOfTree = 2000;         // places; > 0; "Ways out of a tree"
+inline constexpr size_t kPlacesOfNode = 128;          // places; > 0; "Ways out of a tree"
 
 /// The curve runs so far from the tree: a half spacing would be its distance at rest, and from there the flow pushes
 /// strands apart within some 10 iterations. Nearer to it fewer corners meet. Where it would touch itself it is halved,

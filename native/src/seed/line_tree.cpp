@@ -10,9 +10,9 @@
 #include "base/disjoint_sets.h"
 #include "base/variation.h"
 #include "geodesic/chart.h"
-#include "seed/bent_path.h"
 #include "seed/constants.h"
 #include "seed/link_rules.h"
+#include "seed/way_out.h"
 
 namespace meander {
 namespace {
@@ -38,7 +38,8 @@ class Joiner {
       : lines_(lines), variation_(variation), network_(network), s_(network.surface()), pool_(pool), poll_(poll),
         trees_(lines.size()),
         shortener_(network.surface()), index_(network.nodes().size(), kNone), tangent_(network.nodes().size()),
-        trunk_(lines.size(), 0), held_(network.nodes().size(), 0), used_(lines.size()) {
+        trunk_(lines.size(), 0), held_(network.nodes().size(), 0),
+        places_left_(10 * kPlacesOfTree + network.nodes().size() / 2), used_(lines.size()) {
     for (uint32_t k = 0; k < lines.size(); ++k) number(k);
     for (const LineNetwork::Edge& e : network.edges()) {
       if (e.taken_out || line_of(e.from) != line_of(e.to)) continue;
@@ -74,7 +75,7 @@ class Joiner {
 
   std::vector<uint32_t> join() {
     join_near();
-    while (join_met() || join_round_corners()) continue;
+    while (join_met() || join_by_ways()) continue;
     std::vector<uint32_t> tree(lines_.size());
     for (uint32_t k = 0; k < lines_.size(); ++k) tree[k] = trees_.find(k);
     return tree;
@@ -220,87 +221,86 @@ class Joiner {
     return any;
   }
 
-  /// Joins trees from their tips by paths with a bend, to which the line goes on, as beside a hole in a ribbon. Whether
-  /// it has joined any.
-  bool join_round_corners() {
+  /// Joins trees by ways round whatever there is, as through a neck. Whether it has joined any.
+  bool join_by_ways() {
     const std::vector<uint8_t> marked = not_in_largest();
-    std::vector<Candidate> candidates;
+    std::map<uint32_t, std::vector<WayEnd>> ends;  // per tree
     for (uint32_t k = 0; k < lines_.size(); ++k) {
-      if (!marked[k]) continue;
-      for (const uint32_t tip : {lines_[k].nodes.front(), lines_[k].nodes.back()}) {
-        const LineNetwork::Node& here = network_.nodes()[tip];
-        const auto wanted = [&](uint32_t line) {
-          return line < LineNetwork::kBoundary && trees_.find(line) != trees_.find(k);
-        };
-        // The nearest node of a line and the nearer one of its tips, and of a trunk, which may come by from any side,
-        // the nearest of every piece as long as r.
-        Best best_here;
-        network_.near(here, kUsual.longest * here.radius, wanted, [&](uint32_t i, double distance) {
-          const Candidate c{distance / here.radius, tip, i};
-          const Streamline& line = lines_[line_of(i)];
-          const bool at_tip = i == line.nodes.front() || i == line.nodes.back();
-          const double piece = line.trunk ? std::floor(network_.nodes()[i].arc) : at_tip;
-          const auto [best, added] = best_here.try_emplace({line_of(i), piece}, c);
-          if (!added && c < best->second) best->second = c;
-          return false;
-        });
-        for (const auto& [key, candidate] : best_here) candidates.push_back(candidate);
+      const std::vector<uint32_t>& nodes = lines_[k].nodes;
+      for (size_t i = 0; marked[k] && i < nodes.size(); ++i) {
+        const bool tip = i == 0 || i + 1 == nodes.size();
+        const Vec2 along = i == 0 ? -tangent_[nodes[i]] : tangent_[nodes[i]];
+        if (tip && is_used(nodes[i], Exit::kTip)) continue;
+        if (is_outermost(nodes[i])) ends[trees_.find(k)].push_back({nodes[i], along, tip});
       }
     }
-    std::sort(candidates.begin(), candidates.end());
     bool any = false;
-    for (const Candidate& c : candidates) {
-      if (trees_.find(line_of(c.from)) == trees_.find(line_of(c.to))) continue;
-      poll_(kSearched);
-      any = link_by_bend(c) || any;
+    for (const auto& [tree, from_here] : ends) {
+      const uint32_t own = trees_.find(tree);
+      const auto is_goal = [&](uint32_t line) { return line < lines_.size() && trees_.find(line) != own; };
+      const auto takes = [&](uint32_t from, uint32_t to, WayOut& way) { return link_by_way({0, from, to}, way); };
+      const size_t most = std::min(places_left_, kPlacesOfTree + kPlacesOfNode * from_here.size());
+      size_t left = most;
+      any = find_way_out(network_, from_here, is_goal, takes, shortener_, left, poll_) || any;
+      places_left_ -= most - left;
     }
     return any;
   }
 
-  /// Leads the line on from its tip by way of a bend, and links it there, if that may be; whether it has.
-  bool link_by_bend(const Candidate& c) {
-    if (is_used(c.from, Exit::kTip)) return false;
-    auto bend = bend_between(network_, c.from, c.to, shortener_, [&](Vec2 leaving, Vec2 arriving) {
-      return exit_of(kLast, c.from, leaving) == Exit::kTip && exit_of(kLast, c.to, -arriving) != Exit::kNone;
-    });
-    if (!bend) return false;
-    const uint32_t line = line_of(c.from);
-    const std::vector<uint32_t> before = lines_[line].nodes;
-    const Vec2 tangent = tangent_[c.from];
-    const LineNetwork::Mark mark = network_.mark();
-    uint32_t tip = c.from;
-    bool clear = true;
-    for (size_t k = 0; k < bend->places.size() && clear; ++k) {
-      clear = !network_.touches(tip, kNone, bend->places[k], bend->legs[k].path);
-      if (clear) tip = go_on(tip, bend->places[k], std::move(bend->legs[k]));
-    }
-    Bend::Leg& last = bend->legs.back();
-    if (clear && link(kLast, {c.cost, tip, c.to}, std::move(last.path), last.shape)) return true;
-    network_.take_back(mark);
-    lines_[line].nodes = before;
-    index_.resize(mark.nodes);
-    tangent_.resize(mark.nodes);
-    held_.resize(mark.nodes);
-    tangent_[c.from] = tangent;
-    number(line);
-    return false;
+  /// Whether the boundary or another tree is not far from a node: in the midst of its own tree there is no way out.
+  bool is_outermost(uint32_t node) {
+    const LineNetwork::Node& here = network_.nodes()[node];
+    const auto other = [&](uint32_t line) {
+      return line >= LineNetwork::kBoundary || trees_.find(line) != trees_.find(here.line);
+    };
+    return network_.near(here, kOutermost * here.radius, other, [](uint32_t, double) { return true; });
   }
 
-  /// Leads a line on from its tip; the next one.
-  uint32_t go_on(uint32_t tip, const SurfacePoint& to, Bend::Leg leg) {
-    const LineNetwork::Node here = network_.nodes()[tip];
-    std::vector<uint32_t>& nodes = lines_[here.line].nodes;
-    const bool at_end = tip == nodes.back();
-    const double sign = at_end ? 1 : -1, step = leg.shape.length / here.radius;
-    const uint32_t node = network_.add_node(network_.make_node(to, here.line, here.arc + sign * step));
-    network_.add_edge(tip, node, std::move(leg.path), leg.shape);
-    nodes.insert(at_end ? nodes.end() : nodes.begin(), node);
-    tangent_[tip] = unit(tangent_[tip] + sign * leg.shape.leaving);
-    index_.push_back(kNone);
-    tangent_.push_back(sign * unit(leg.shape.arriving));
-    held_.push_back(0);
-    number(here.line);
-    return node;
+  /// Joins two nodes by a line through places, if that may be; whether it has.
+  bool link_by_way(const Candidate& c, WayOut& way) {
+    if (trunk_[trees_.find(line_of(c.from))] && trunk_[trees_.find(line_of(c.to))]) return false;
+    if (way.places.empty()) return link(kLast, c, std::move(way.legs[0].path), way.legs[0].shape);
+    const Exit at_a = exit_of(kLast, c.from, way.legs.front().shape.leaving);
+    const Exit at_b = exit_of(kLast, c.to, -way.legs.back().shape.arriving);
+    if (at_a == Exit::kNone || at_b == Exit::kNone || is_used(c.from, at_a) || is_used(c.to, at_b)) return false;
+    const LineNetwork::Mark mark = network_.mark();
+    const auto line = static_cast<uint32_t>(lines_.size());
+    Streamline between;
+    double arc = 0;
+    uint32_t from = c.from;
+    for (size_t k = 0; k < way.legs.size(); ++k) {
+      const bool last = k == way.places.size();
+      WayOut::Leg& leg = way.legs[k];
+      const SurfacePoint& end = last ? network_.nodes()[c.to].point : way.places[k];
+      if (network_.touches(from, last ? c.to : kNone, end, leg.path)) {
+        network_.take_back(mark);
+        return false;
+      }
+      if (k > 0) arc += leg.shape.length / network_.nodes()[from].radius;
+      const uint32_t to = last ? c.to : network_.add_node(network_.make_node(end, line, arc));
+      network_.add_edge(from, to, std::move(leg.path), leg.shape);
+      if (!last) between.nodes.push_back(to);
+      from = to;
+    }
+    add(std::move(between), way);
+    used_[line_of(c.from)].push_back({c.from, at_a});
+    used_[line_of(c.to)].push_back({c.to, at_b});
+    join(line_of(c.from), line);
+    join(line, line_of(c.to));
+    return true;
+  }
+
+  /// A line of these nodes, which are the last of the network.
+  void add(Streamline line, const WayOut& way) {
+    for (size_t k = 0; k < line.nodes.size(); ++k) {
+      index_.push_back(static_cast<uint32_t>(k));
+      tangent_.push_back(unit(way.legs[k].shape.arriving + way.legs[k + 1].shape.leaving));
+      held_.push_back(0);
+    }
+    lines_.push_back(std::move(line));
+    trees_.add();
+    trunk_.push_back(0);
+    used_.emplace_back();
   }
 
   /// Notes the places of a line's nodes in it.
@@ -371,6 +371,7 @@ class Joiner {
   std::vector<uint8_t> trunk_;   // per tree: one of its lines is a trunk
   std::vector<uint8_t> held_;    // per node: no link of a trunk begins there
   Path walked_;
+  size_t places_left_;           // that may be looked at on ways out
   std::vector<std::vector<std::pair<uint32_t, Exit>>> used_;  // per line
 };
 

@@ -25,7 +25,7 @@ class Drawer {
       : field_(field), steps_(network.surface(), field), radius_(radius), spacing_(spacing), variation_(variation),
         network_(network), s_(network.surface()), crowding_(spacing, network, lines.size()), pool_(pool), poll_(poll),
         shortener_(s_), lines_(lines), trunks_(lines.size()), drawn_(s_.component_count(), 0),
-        wanted_(s_.component_count(), 0), has_line_(s_.component_count(), 0), crowded_(network.patch_count()) {
+        wanted_(s_.component_count(), 0), crowded_(network.patch_count()) {
     for (uint32_t f = 0; f < s_.face_count(); ++f) {
       const double r = radius_.at(s_, make_point(f, 1, 1, 1));
       wanted_[s_.component(f)] += spacing_.full * s_.face_area(f) / (spacing_.apart * r * r);
@@ -34,7 +34,6 @@ class Drawer {
 
   void draw(std::span<const std::vector<SurfacePoint>> laid) {
     for (const Streamline& trunk : lines_) {
-      has_line_[s_.component(network_.nodes()[trunk.nodes[0]].point.face)] = 1;
       offer_beside(trunk, spacing_.from_walls);
     }
     for (const std::vector<SurfacePoint>& points : laid) lay(points);
@@ -52,7 +51,6 @@ class Drawer {
     apart_ = apart;
     shortest_ = shortest;
     draw_beside();
-    if (shortest_ == kShortestAlone && std::ranges::find(has_line_, 0) == has_line_.end()) return;
     // In an order that has nothing to do with that of the faces, so that lines begin all over the surface.
     const auto faces = static_cast<uint32_t>(s_.face_count());
     uint32_t stride = static_cast<uint32_t>(0.6180339887 * faces) | 1u;
@@ -151,11 +149,9 @@ class Drawer {
     }
   }
 
-  /// How long another line may be, in r: one that begins between others no longer than what is left to draw, and one
-  /// that is shorter than others only where there is none.
+  /// How long another line may be, in r: one that begins between others no longer than what is left to draw.
   double room(const SurfacePoint& p) const {
     const uint32_t component = s_.component(p.face);
-    if (shortest_ == kShortestAlone && has_line_[component]) return 0;
     if (apart_ == spacing_.apart) return std::numeric_limits<double>::infinity();
     return wanted_[component] - drawn_[component] - spacing_.link;
   }
@@ -202,7 +198,6 @@ class Drawer {
     if (length < shortest_ * spacing_.apart) return network_.take_back(mark);
     offer_beside(drawn, apart_);
     drawn_[s_.component(p.face)] += length + spacing_.link;
-    has_line_[s_.component(p.face)] = 1;
     lines_.push_back(std::move(drawn));
   }
 
@@ -224,7 +219,6 @@ class Drawer {
       }
       const uint32_t component = s_.component(node.point.face);
       drawn_[component] += length + spacing_.link;
-      has_line_[component] = 1;
       lines_.push_back(std::move(drawn));
     }
   }
@@ -330,7 +324,6 @@ class Drawer {
   std::vector<Streamline>& lines_;
   size_t trunks_;                       // the first of them
   std::vector<double> drawn_, wanted_;  // per component: length of its lines, in the local r
-  std::vector<uint8_t> has_line_;       // per component: one that was drawn, or a trunk
   std::deque<SurfacePoint> beside_;
   struct Crowded {
     Vec3 place = Vec3::Zero();
