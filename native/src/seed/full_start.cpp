@@ -153,6 +153,18 @@ std::vector<StrandStart> before_any_is_laid(const Curve& first) {
   return starts;
 }
 
+/// Which share of the time has passed when steps begin: the more faces a node has, the nearer to that of many.
+struct Beginnings {
+  double lines, filling, tree, walk;
+};
+
+Beginnings beginnings_of(const Surface& surface, const RadiusField& radius) {
+  const double r = radius.most(), nodes = kNodesPerArea * surface.area() / (r * r);
+  const double more = laying_of_faces(static_cast<double>(surface.face_count()) / nodes), many = more / (1 + more);
+  return {std::lerp(kLinesBegin, kLinesOfFacesBegin, many), std::lerp(kFillingBegins, kFillingOfFacesBegins, many),
+          std::lerp(kTreeBegins, kTreeOfFacesBegins, many), std::lerp(kWalkBegins, kWalkOfFacesBegins, many)};
+}
+
 }  // namespace
 
 double laying_of_faces(double faces_a_node) {
@@ -163,11 +175,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
                      const LineField& field, const SurfacePatches* patches, double boundary_distance,
                      ThreadPool& pool, StartLines lines_of, uint32_t variation, double rest, const Tell& tell) {
   const Tell passed = tell ? tell : [](double) {};
-  const double r = radius.most(), nodes = kNodesPerArea * surface.area() / (r * r);
-  const double more = laying_of_faces(static_cast<double>(surface.face_count()) / nodes);
-  const auto begins = [=](double few, double many) { return std::lerp(few, many, more / (1 + more)); };
-  const double lines_begin = begins(kLinesBegin, kLinesOfFacesBegin);
-  const double filling_begins = begins(kFillingBegins, kFillingOfFacesBegins);
+  const Beginnings begins = beginnings_of(surface, radius);
   std::unique_ptr<const SurfacePatches> own;
   if (!patches) {
     own = std::make_unique<const SurfacePatches>(compared_patches(surface, radius, kClampOfPatches, pool));
@@ -188,28 +196,28 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   const CancelToken poll = pool.poll(kPieces);
   passed(kFieldBegins);
   StartField whole = start_field(surface, *patches, field, radius, variation, pool);
-  passed(lines_begin);
+  passed(begins.lines);
   std::vector<std::vector<SurfacePoint>> first_lines;
   if (lines_of != StartLines::kStreamlines) {
     const bool smooth = field.empty() && !radius.varies();
     spacing.least = smooth ? kLeastOfPhase : kLeastAlong;
     if (!radius.varies()) spacing.full = smooth ? kFullOfPhase : kFullOfPhaseAlong;
     first_lines = lines_of_phase(surface, radius, spacing, boundary_distance, rest, variation, pool, poll, whole,
-                                 part_of(tell, lines_begin, filling_begins));
+                                 part_of(tell, begins.lines, begins.filling));
   }
-  passed(filling_begins);
+  passed(begins.filling);
   const size_t before = lines.size();
   draw_streamlines(whole.lines, radius, spacing, first_lines, variation, network, pool, poll, lines);
   trunks.prolong(whole.lines, before, network, lines, poll);
 
-  passed(begins(kTreeBegins, kTreeOfFacesBegins));
+  passed(begins.tree);
   FullStart start;
   start.strands = before_any_is_laid(first);
   Regions regions(surface, first, radius);
   std::vector<uint8_t> stays(first.strands.size(), 0);
   for (;;) {
     const std::vector<uint32_t> tree = join_lines(lines, trunks.holds, variation, network, pool, poll);
-    passed(begins(kWalkBegins, kWalkOfFacesBegins));
+    passed(begins.walk);
     const std::vector<LineTree> trees = trees_to_walk(first, drawn, stays, trunks, lines, tree, network, regions);
     for (const LineTree& laid : trees) start.strands[laid.strand] = StrandStart::kLaid;
     TreeTour tour = walk_round(network, trees, kTourOffset, first, pool);
