@@ -412,6 +412,18 @@ std::vector<Call> result_calls() {
                      std::copy_n(data->normals, 3 * data->count, world.more.data());
                      return status;
                    }});
+  calls.push_back({"finding", seeded_flow(2), [](World& world, meander_error* error) {
+                     Result<meander_polylines> curve, line;
+                     Result<meander_point_data> data;
+                     Result<meander_gaps> gaps;
+                     const meander_status status = CALLED(flow_start_finding)(
+                         world.flow, &curve, &data, nullptr, &gaps, 0, &line, nullptr, 0.1, nullptr, error);
+                     const meander_status end =
+                         status == MEANDER_STATUS_OK ? CALLED(flow_wait)(world.flow, error) : status;
+                     std::copy_n(curve->positions, 3 * curve->point_count, world.numbers.data());
+                     std::copy_n(data->normals, 3 * data->count, world.more.data());
+                     return end;
+                   }});
   calls.push_back({"nodes", seeded_flow(2), [](World& world, meander_error* error) {
                      Result<meander_nodes> nodes;
                      const meander_status status = CALLED(flow_get_nodes)(world.flow, &nodes, error);
