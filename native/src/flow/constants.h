@@ -162,12 +162,11 @@ inline constexpr double kTightHairpin = 1.2;                // 1 / r; > kRoundHa
 inline constexpr double kHairpinStiffening = 2.5;           // times; >= 0; "Round hairpins"
 
 /// The same for tips once segments are short, as a mean over kTipSmoothing to both sides. In a full start bending
-/// weighs up to 1 + kTipStiffening times as much there, and beside the boundary 1 + kTipStiffeningAtBoundary times.
+/// weighs up to 1 + kTipStiffening times as much there.
 inline constexpr double kTipSmoothing = 1.5;                // segments; > 1; "Round hairpins"
 inline constexpr double kRoundTip = 1.05;                   // 1 / r; > 1; "Round hairpins"
 inline constexpr double kTightTip = 1.25;                   // 1 / r; > kRoundTip; "Round hairpins"
 inline constexpr double kTipStiffening = 3;                 // times; >= 0; "Round hairpins"
-inline constexpr double kTipStiffeningAtBoundary = 9;       // times; >= 0; "Round hairpins"
 
 /// After a gentle removal of hairpins, bending weighs kBoundaryBending times as much beside the boundary, where a ball
 /// is left less than kBesideBoundary. After a rough one some tips would come too near to the boundary with less of it.

@@ -210,9 +210,8 @@ double from_to(double low, double high, double x) { return std::clamp((x - low) 
 /// More bending where a strand turns too sharply. Nearly all radii that are too small lie inside hairpins, and as much
 /// bending elsewhere would hold strands back that should yield to them. Once segments are short, tips that turn within
 /// one or two of them are bent likewise: over the whole hairpin their curvature is as it should be. A full start has
-/// few of them, which may be bent more, above all beside the boundary: it pushes tips flat, with corners at both ends.
-/// Less beside it as far as the plan says: no strand comes from there to fill the void between two hairpins, so their
-/// tips have to be blunt.
+/// few of them, which may be bent more. Less beside the boundary, as far as the plan says: no strand comes from there
+/// to fill the void between two hairpins, so their tips have to be blunt.
 void bend_as_room_allows(const Weighting& w) {
   const NodeData<double> curvature =
       smoothed_curvature(w.state.curve, w.state.metric, kCurvatureSmoothing, w.pool);
@@ -224,13 +223,12 @@ void bend_as_room_allows(const Weighting& w) {
   }
   w.pool.for_blocks(curvature.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const bool beside = beside_boundary(w, i);
       double factor = 1 + kHairpinStiffening * from_to(kRoundHairpin, kTightHairpin, curvature[i]);
       if (!of_tips.empty()) {
-        const double most = !full ? kHairpinStiffening : beside ? kTipStiffeningAtBoundary : kTipStiffening;
+        const double most = full ? kTipStiffening : kHairpinStiffening;
         factor = std::max(factor, 1 + most * from_to(kRoundTip, kTightTip, of_tips[i]));
       }
-      if (beside) factor = std::lerp(factor, kBoundaryBending, w.plan.medial.boundary_ease);
+      if (beside_boundary(w, i)) factor = std::lerp(factor, kBoundaryBending, w.plan.medial.boundary_ease);
       w.weights.bending[i] *= factor;
     }
   });
