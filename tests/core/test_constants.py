@@ -21,6 +21,7 @@ COMPLETE = {
     "mesh": (),
     "geodesic": (),
     "curve": (),
+    "seed": (),
     "medial": (),
     "model": (),
     "outputs": ("cost.cpp", "map_distances.cpp", "middle_lines.cpp"),

@@ -47,6 +47,10 @@ inline constexpr double kWorthALoop = 0.8;            // r; > 0; free
 inline constexpr double kInsideFace = 0.1;            // weight of a corner; 0 to 0.33; free
 inline constexpr double kInsideStrip = 0.15;          // r; > 0; free
 
+/// So many places are tried where one lies in a strip to be left empty, by variations that nobody asks for.
+inline constexpr uint32_t kOtherPlacesOfStrip = 16;   // places; > 0; free
+inline constexpr uint32_t kOthersApart = 134217728;   // variations; > 0; free
+
 /// Outlines: points of a line so far apart, the least length of one, and the arc length within which it is not beside
 /// itself. Near the boundary no edge is longer than a part of its distance.
 inline constexpr double kOutlineStep = 0.5;           // radii; > 0; free
@@ -159,6 +163,9 @@ inline constexpr size_t kMostAhead = 8192;            // places; > kLeastAhead; 
 inline constexpr size_t kMostNodesOfLine = 4194304;   // nodes; > 0; free
 
 // The phase.
+
+/// From one line to the next.
+inline constexpr double kWholeTurn = 2 * std::numbers::pi;         // radians; > 0; geometry
 
 /// Edges are halved until they are not longer than this: a third of a turn across lines 4 r apart. With .9 lines are as
 /// even. The area of a part is about kPartsArea of the square of that; there is room for so many divisions at first.

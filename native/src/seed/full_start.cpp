@@ -20,7 +20,7 @@ namespace meander {
 namespace {
 
 /// Work between two asks, in pieces of some hundred nanoseconds.
-constexpr uint32_t kPieces = 1024;
+constexpr uint32_t kPiecesPerPoll = 1024;
 
 void add_boundary(const RadiusField& radius, LineNetwork& network) {
   const Surface& s = network.surface();
@@ -193,7 +193,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
     spacing.full = kFullAlong;
   }
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
-  const CancelToken poll = pool.poll(kPieces);
+  const CancelToken poll = pool.poll(kPiecesPerPoll);
   passed(kFieldBegins);
   StartField whole = start_field(surface, *patches, field, radius, variation, pool);
   passed(begins.lines);

@@ -15,7 +15,7 @@
 namespace meander {
 namespace {
 
-constexpr size_t kPatchesAtATime = 64;
+constexpr size_t kPatchesPerBlock = 64;
 
 /// Not the way round a limb.
 constexpr Vec2 kNoWay{std::numeric_limits<double>::infinity(), 0};
@@ -85,7 +85,7 @@ std::vector<Vec2> bending_of_limbs(const Surface& surface, const SurfacePatches&
   }
   // Per patch, along the limb: as long as by how much the square of its bending is too much.
   std::vector<Vec3> along(patches.count(), Vec3::Zero());
-  pool.for_blocks(patches.count(), kPatchesAtATime, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(patches.count(), kPatchesPerBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t p = begin; p < end; ++p) {
       // The other side of a limb is near through space and faces away, or is of the same patch.
       const auto number = static_cast<uint32_t>(p);

@@ -18,7 +18,7 @@ namespace meander {
 namespace {
 
 /// What a search counts for, in pieces of work.
-constexpr size_t kSearched = 64;
+constexpr size_t kPiecesPerSearch = 64;
 
 /// How a link leaves a line.
 enum class Exit : uint8_t { kNone, kTip, kLeft, kRight };
@@ -157,7 +157,7 @@ class Joiner {
     std::sort(candidates.begin(), candidates.end());
     for (const Candidate& c : candidates) {
       if (trees_.find(line_of(c.from)) == trees_.find(line_of(c.to))) continue;
-      poll_(kSearched);
+      poll_(kPiecesPerSearch);
       link_near(c);
     }
   }
@@ -207,7 +207,7 @@ class Joiner {
       if (!marked[k]) continue;
       for (const uint32_t node : lines_[k].nodes) {
         for (const Vec2 direction : {Vec2{0, 1}, Vec2{0, -1}, Vec2{1, 0}, Vec2{-1, 0}}) {
-          poll_(kSearched);
+          poll_(kPiecesPerSearch);
           const auto to = walk(node, direction * tangent_[node]);
           if (!to) continue;
           walks.push_back({to->second.length / network_.nodes()[node].radius, {0, node, to->first}, std::move(walked_),

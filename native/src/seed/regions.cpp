@@ -14,9 +14,6 @@
 namespace meander {
 namespace {
 
-/// So many places are tried where one lies in a strip to be left empty, by variations that nobody asks for.
-constexpr uint32_t kOtherPlacesOfStrip = 16, kOthersApart = 1u << 27;
-
 SurfacePoint middle_of(uint32_t face) { return make_point(face, 1.0 / 3, 1.0 / 3, 1.0 / 3); }
 
 /// The faces of every component, in order.

@@ -18,9 +18,9 @@ namespace {
 /// What is done between two asks, in steps of some ten nanoseconds; what a point of the seed counts for when it is laid
 /// on the surface, and when it is joined to the next one.
 constexpr uint32_t kStepsPerPoll = 4096;
-constexpr size_t kLaid = 256, kJoined = 256;
+constexpr size_t kPiecesPerLaidPoint = 256, kPiecesPerJoinedPoint = 256;
 /// The same of a face that is looked at on the way.
-constexpr size_t kFace = 16;
+constexpr size_t kPiecesPerFace = 16;
 
 [[noreturn]] void refuse(const std::string& sentence, size_t point) {
   const uint32_t index = static_cast<uint32_t>(point);
@@ -45,7 +45,7 @@ bool connect_faces(const Surface& surface, uint32_t from, const SurfacePoint& to
   FrontSearch<ReachedNodes> search;
   search.offer(from, 0);
   while (const auto f = search.next()) {
-    poll(kFace);
+    poll(kPiecesPerFace);
     if (*f == to.face) break;
     const double cost = search.cost(*f);
     const Vec3 middle = centre(*f);
@@ -143,7 +143,7 @@ void lead_around_guides(const Surface& surface, const RadiusField& radius, Threa
     while (i >= led.strands[s].end()) ++s;
     const uint32_t j = led.next(i);
     if (j == kNone || led.strands[s].count == curve.strands[s].count) continue;
-    poll(kJoined);
+    poll(kPiecesPerJoinedPoint);
     connect_faces(surface, led.nodes[i].face, led.nodes[j], led.paths[i] = {}, poll);
     led.shapes[i] = shortener.shorten(led.nodes[i], led.nodes[j], led.paths[i]);
   }
@@ -158,7 +158,7 @@ void project_strand(const Surface& surface, const SeedStrands& seed, size_t s, c
   const bool guide = !seed.guides.empty() && seed.guides[s];
   Strand strand{curve.size(), 0, seed.closed[s] != 0, guide};
   for (size_t i = seed.offsets[s]; i < seed.offsets[s + 1]; ++i) {
-    poll(kLaid);
+    poll(kPiecesPerLaidPoint);
     const auto hit = closest(surface.to_inside(seed.points[i]));
     const double most = std::max(seed.max_distance, radius.at(surface, hit.point));
     if (!(hit.distance <= most)) {
@@ -222,7 +222,7 @@ void join_nodes(const Surface& surface, const SeedStrands& seed, const RadiusFie
     while (i >= curve.strands[s].end()) ++s;
     const uint32_t j = curve.next(i);
     if (j == kNone) continue;
-    poll(kJoined);
+    poll(kPiecesPerJoinedPoint);
     if (!connect_faces(surface, curve.nodes[i].face, curve.nodes[j], curve.paths[i], poll)) {
       refuse("At seed points " + std::to_string(point_of_node[i]) + " and " + std::to_string(point_of_node[j]) +
                  " a strand leaves its part of the surface for another, which no strand can; draw one for each part.",

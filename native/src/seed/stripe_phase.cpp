@@ -16,10 +16,8 @@
 namespace meander {
 namespace {
 
-constexpr double kWholeTurn = 2 * std::numbers::pi;
-
 /// Faces, rows or edges between two asks.
-constexpr uint32_t kPerPoll = 1024;
+constexpr uint32_t kRowsPerPoll = 1024;
 
 Vec2 turned_by(double angle) { return {elementary::cos(angle), elementary::sin(angle)}; }
 
@@ -81,7 +79,7 @@ class StripePhase::Relaxation {
              std::span<const StripeDistances> distances, StripePhase& phase, ThreadPool& pool,
              const Tell& tell)
       : s_(surface), field_(field), radius_(radius), distances_(distances), phase_(phase), mesh_(phase.mesh_),
-        pool_(pool), poll_(pool.poll(kPerPoll)), tell_(tell ? tell : [](double) {}) {}
+        pool_(pool), poll_(pool.poll(kRowsPerPoll)), tell_(tell ? tell : [](double) {}) {}
 
   void run() {
     divide(s_, radius_, mesh_, poll_, part_of(tell_, 0, kDivided));
@@ -317,7 +315,7 @@ class StripePhase::Relaxation {
 
 StripePhase::StripePhase(const Surface& surface, const LineField& field, const RadiusField& radius,
                          std::span<const StripeDistances> distances, ThreadPool& pool, const Tell& tell)
-    : mesh_(surface, true, pool.poll(kPerPoll)) {
+    : mesh_(surface, true, pool.poll(kRowsPerPoll)) {
   Relaxation(surface, field, radius, distances, *this, pool, tell).run();
 }
 

@@ -13,8 +13,6 @@
 namespace meander {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 double angle_of(Vec2 v) { return elementary::atan2(v.y, v.x); }
 
 /// What lies between the way that comes into a node and the one that leaves it, on the side of the walk.
@@ -26,8 +24,8 @@ struct Sector {
   static Sector between(const Ways& ways, Way in, Way out, Hand hand) {
     const Vec2 back = ways.leaving(Ways::twin(in)), ahead = ways.leaving(out);
     double angle = hand * elementary::atan2(cross(ahead, back), dot(ahead, back));
-    if (angle <= 0 || out == Ways::twin(in)) angle += 2 * kPi;
-    return {ahead, std::min(angle, 2 * kPi), hand};
+    if (angle <= 0 || out == Ways::twin(in)) angle += 2 * std::numbers::pi;
+    return {ahead, std::min(angle, 2 * std::numbers::pi), hand};
   }
   bool is_tip() const { return angle > kSectorOfTip; }
   bool is_corner() const { return angle < kSectorOfCorner; }
@@ -114,7 +112,8 @@ class StopMaker {
         if (s.is_tip()) {
           for (const double share : {0.75, 0.5, 0.25}) stop(s.at(share), 1);
         } else {
-          stop(s.at(0.5), std::min(kMostReachOfCorner, 1 / elementary::sin(std::min(0.5 * s.angle, 0.5 * kPi))));
+          const double half = std::min(0.5 * s.angle, 0.5 * std::numbers::pi);
+          stop(s.at(0.5), std::min(kMostReachOfCorner, 1 / elementary::sin(half)));
         }
       }
     }

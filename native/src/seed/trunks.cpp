@@ -15,8 +15,6 @@
 namespace meander {
 namespace {
 
-constexpr double kWide = std::numeric_limits<double>::infinity();
-
 /// How far the boundary is from a node on both sides of a direction, in its r; infinite where it is farther than asked,
 /// and where another line is nearer.
 struct Across {
@@ -30,7 +28,7 @@ Across across(const LineNetwork& network, uint32_t node, Vec2 direction, double 
     const Vec2 sideways = Vec2{0, side * most * here.radius} * direction;
     const Trace there = trace_geodesic(network.surface(), here.point, sideways, path);
     const bool free = there.hit_boundary && !network.first_met(node, there.end, path);
-    return free ? there.length / here.radius : kWide;
+    return free ? there.length / here.radius : std::numeric_limits<double>::infinity();
   };
   return {reach(1), reach(-1)};
 }

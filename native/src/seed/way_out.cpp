@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/elementary.h"
 #include "geodesic/chart.h"
 #include "seed/constants.h"
 #include "seed/link_rules.h"
@@ -97,7 +98,7 @@ class WaySearch {
     for (size_t i = 0; i < kWayDirections; ++i) {
       const Place& here = places_[k];
       const double angle = 2 * std::numbers::pi * static_cast<double>(i) / kWayDirections;
-      const Vec2 direction = Vec2{std::cos(angle), std::sin(angle)} * here.ahead;
+      const Vec2 direction = Vec2{elementary::cos(angle), elementary::sin(angle)} * here.ahead;
       if (here.before == kNowhere && !may_leave(ends_[here.end], direction)) continue;
       Path path;
       const Trace there = trace_geodesic(s_, here.node.point, step * direction, path);
