@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import time
+
 import bpy
 import numpy as np
 import pytest
@@ -139,6 +141,30 @@ def test_a_run_takes_spacing_and_paint_while_it_goes():
     assert figures["spacing_target"] == pytest.approx(0.4)
     assert result.meander.spacing == pytest.approx(0.4)
     assert figures["stop_reason"] == "converged"
+
+
+@pytest.mark.usefixtures("windowed")
+def test_what_is_asked_while_a_run_ends_is_done():
+    surface = sphere()
+    surface.meander.live = True
+    running = begin(surface, 0.4)
+    tick_until(running, lambda: running.latest)
+    keep_out = running._preview.keep_result_out
+
+    def asked_as_it_ends() -> None:
+        # Wishes have been looked for in this tick.
+        surface.meander.spacing = 0.5
+        while not running.stepper.finished:
+            time.sleep(0.01)
+        keep_out()
+
+    running._preview.keep_result_out = asked_as_it_ends
+    assert running.tick(bpy.context)
+    running._preview.keep_result_out = keep_out
+    tick_until(running, lambda: False)
+    _result, figures = running.keep(bpy.context)
+    running.end()
+    assert figures["spacing_target"] == pytest.approx(0.5)
 
 
 def seconds_of(plan: Plan) -> float:

@@ -132,6 +132,7 @@ class Session:
         """
         refuse_deleted(self.plan)
         self.ticked = time.perf_counter()
+        ended = self.stepper.finished  # where it ends meanwhile, the next tick looks for wishes
         if self.stop_wanted:
             self._wish = None
             self.stepper.cancel()
@@ -155,7 +156,7 @@ class Session:
             self._pictured = self.ticked
         if text_due:
             self._window.show(context, self.progress_text(), self.progress())
-        return self._wish is not None or not self.stepper.finished or self._goes_on()
+        return self._wish is not None or not (ended and self.stepper.finished) or self._goes_on()
 
     def _goes_on(self) -> bool:
         """Whether a run that has ended is to go on, or what is told of it is being found."""
