@@ -34,7 +34,7 @@ class Findings(NamedTuple):
     drawn: tuple[Polylines, PointData] | None
 
 
-class Search:
+class Asked:
     """The structs that the library fills meanwhile: to be held until it has ended."""
 
     def __init__(self, gaps: bool, tolerance: float) -> None:

@@ -23,7 +23,7 @@ from .calls import Found, call, figures_of, prepared, raise_error
 from .context import Context, pointer_of
 from .curve import Gaps, Nodes, PointData, Polylines, polylines_of
 from .errors import MeanderError
-from .finding import Findings, Search, gaps_of, point_data_of, statistics_of
+from .finding import Asked, Findings, gaps_of, point_data_of, statistics_of
 from .flow_options import FlowOptions, options_record
 from .handle import address_of, checked_array
 from .named import number_of
@@ -45,7 +45,7 @@ class Flow(FlowRun):
     that is off the surface, crosses or touches itself, or is too short.
     """
 
-    _search: Search | None = None  # that has been begun
+    _asked: Asked | None = None  # of a search that has been begun
 
     def set_vertices(self, vertices: ArrayLike) -> None:
         """Moves the vertices of the flow's surface, and the curve with it; see the C header.
@@ -232,10 +232,10 @@ class Flow(FlowRun):
 
         Until `found`, everything but `running`, `found` and `close` raises MeanderError.
         """
-        search = Search(gaps, number_of("tolerance", tolerance))
+        asked = Asked(gaps, number_of("tolerance", tolerance))
         function = native().meander_flow_start_finding
-        self._begin(function, *search.arguments(), context=context, at_end=search.own)
-        self._search = search
+        self._begin(function, *asked.arguments(), context=context, at_end=asked.own)
+        self._asked = asked
 
     def found(self) -> Findings:
         """Waits for what `start_finding` has begun; raises what went wrong in it.
@@ -244,10 +244,10 @@ class Flow(FlowRun):
         been begun.
         """
         with self._use() as pointer:
-            search, self._search = self._search, None
+            asked, self._asked = self._asked, None
             status, error = self._waited(pointer)
         if status != Status.OK:
             raise_error(status, error)
-        if search is None:
+        if asked is None:
             raise MeanderError("the flow has run, and has found nothing; call start_finding first")
-        return search.findings()
+        return asked.findings()
