@@ -51,14 +51,6 @@ def test_directions_and_tilts(size, count, cyclic) -> None:
     assert np.allclose((across * y).sum(1), 0.0, atol=1e-9)
 
 
-def test_angles_turn_no_more_than_half_a_circle() -> None:
-    angles = np.random.default_rng(0).uniform(-np.pi, np.pi, 1000)
-    angles[10:13] = (-np.pi, 0.0, np.pi)
-    assert np.array_equal(profile._unwrapped(angles), np.unwrap(angles))
-    for few in (angles[:0], angles[:1], angles[10:12]):
-        assert np.array_equal(profile._unwrapped(few), np.unwrap(few))
-
-
 def test_a_strand_of_one_point_has_no_direction(size) -> None:
     for cyclic in (True, False):
         assert np.array_equal(profile.directions(np.ones((1, 3)), cyclic), np.zeros((1, 3)))

@@ -34,24 +34,12 @@ def tilts(points: np.ndarray, normals: np.ndarray, cyclic: bool) -> np.ndarray:
         sine = _dot(_cross(up, across), tangents)
         np.arctan2(sine, _dot(up, across), out=angles[begin:end])
     # No turns of more than half a circle between neighbours: what blends them is short.
-    return _unwrapped(angles)
+    return np.unwrap(angles)
 
 
 def directions(points: np.ndarray, cyclic: bool) -> np.ndarray:
     """Unit directions at the points, as Blender has them: halving the angle of both pieces."""
     return _directions(points, 0, len(points), cyclic).T
-
-
-def _unwrapped(angles: np.ndarray) -> np.ndarray:
-    """As np.unwrap() has them, which is slow where hardly any neighbours are far apart."""
-    steps = np.diff(angles)
-    jumps = np.flatnonzero(np.abs(steps) >= np.pi)
-    steps = steps[jumps]
-    nearest = np.mod(steps + np.pi, 2.0 * np.pi) - np.pi
-    nearest[(nearest == -np.pi) & (steps > 0.0)] = np.pi
-    turns = np.concatenate([[0.0], np.cumsum(nearest - steps)])
-    counts = np.diff(np.concatenate([[0], jumps + 1, [len(angles)]]))
-    return angles + np.repeat(turns, counts)
 
 
 # Below, vectors are columns (3, n).
