@@ -187,9 +187,9 @@ class Maze:
         lengths = [np.concatenate([[0.0], np.cumsum(each)]) for each in (steps, inner)]
         return *lengths, np.maximum.accumulate(away[way][::-1])[::-1]
 
-    def hardness(self, way: NDArray[np.int64], doors: Doors) -> Hardness:
-        """Of the maze with this way() between these doors."""
-        points, step = self.places(way, doors), _STEP * self._spacing
+    def hardness(self, way: NDArray[np.int64], points: NDArray[np.float64]) -> Hardness:
+        """Of the maze with this way(), which leads through these places()."""
+        step = _STEP * self._spacing
         lengths = np.linalg.norm(np.diff(points, axis=0), axis=1)
         at = np.concatenate([[0.0], np.cumsum(lengths)])
         places = np.linspace(0.0, at[-1], max(int(at[-1] / step), 1) + 1)

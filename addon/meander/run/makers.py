@@ -148,11 +148,11 @@ def _maze(cut: CutResult, name: str, values: Values) -> Made:
     if doors is None:
         return made, ""
     vertices = maze.way(doors)
-    remark = f", {maze.hardness(vertices, doors)}"
+    way = maze.places(vertices, doors)
+    remark = f", {maze.hardness(vertices, way)}"
     if not doors.through:
         remark += "; the way keeps to the rim, try another variation"
     if values["solution"]:
-        way = maze.places(vertices, doors)
         made.append(write_way(f"{name} Solution", way, surface, matrix, _WAY * own_spacing(cut)))
     return made, remark
 
