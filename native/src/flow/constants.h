@@ -317,6 +317,11 @@ inline constexpr double kFinishingIterations = 16;          // iterations; > 0; 
 inline constexpr double kLayingWork = 36;                   // iterations; > 0; above
 inline constexpr double kFullGrowthIterations = 10;         // iterations; > 0; above
 
+/// While a flow begins: when the surface is smoothed, or need not be, of the time of its domain, and when that is
+/// known, of all of it.
+inline constexpr double kSmoothed = 0.3;                    // share of the time; 0 to 1; free
+inline constexpr double kDomainKnown = 0.95;                // share of the time; 0 to 1; free
+
 /// Where there is no polish: the share of the time until the curve is as long as at the end of growth, the length at
 /// which it becomes quiet, and the share of the quiet iterations that end the run. "progress: Follow the time to the
 /// end of a run".

@@ -33,9 +33,6 @@ double filling_length(const Surface& surface, const RadiusField& radius) {
   return length;
 }
 
-/// Which share of the time of a domain has passed when the surface is smoothed, or need not be.
-constexpr double kSmoothed = 0.3;
-
 }  // namespace
 
 double expected_nodes(const Surface& surface, const FlowSettings& settings,

@@ -8,6 +8,7 @@
 
 #include "base/failure.h"
 #include "base/stopwatch.h"
+#include "flow/constants.h"
 #include "flow/far_share.h"
 #include "flow/progress.h"
 #include "flow/room.h"
@@ -15,9 +16,6 @@
 
 namespace meander {
 namespace {
-
-/// Which share of the time of a flow's beginning has passed when its domain is known.
-constexpr double kDomainKnown = 0.95;
 
 FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands* seed,
                       const VertexData<double>& density, const FlowSettings& settings, ThreadPool pool,

@@ -6,6 +6,7 @@
 #include "seed/constants.h"
 
 namespace meander {
+
 std::optional<Vec2> FieldSteps::from(const SurfacePoint& p) const {
   const Vec2 line = field_.at(p), direction = unit(line);
   if (!(norm(direction) > 0) || norm(line) < kLeastField) return std::nullopt;
