@@ -237,6 +237,13 @@ class Flow(FlowRun):
         self._begin(function, *asked.arguments(), context=context, at_end=asked.own)
         self._asked = asked
 
+    def findings(
+        self, gaps: bool = True, tolerance: float = 0.0, context: Context | None = None
+    ) -> Findings:
+        """What `start_finding` begins, once it is there."""
+        self.start_finding(gaps, tolerance, context)
+        return self.found()
+
     def found(self) -> Findings:
         """Waits for what `start_finding` has begun; raises what went wrong in it.
 

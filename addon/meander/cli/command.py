@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 from .. import core
 from ..model import bundle, last_run, report, start, strands
+from ..model.copies import AllCopies
 from ..model.empty import Empty, empty_of, narrow_remark, remark
 from ..model.estimate import cost_in_words
 from ..model.files import meshes
@@ -126,18 +127,16 @@ def _filled(
         place.say(f"meander: {spacing.sentence(arguments.spacing)}")
     with opened.flow as grown_flow:
         reason, options = _run(opened, options, arguments, place)
-        if opened.cost.nodes > LARGE:
-            place.say("meander: measuring the curve")
         stiffness = options.bending_weight
         if stiffness != opened.problem.options.bending_weight:  # what a .blend is to keep
             arguments.bending = stiffness
-        with mirror.whole(opened, options) as (flow, figures, of_mirror):
-            figures |= {"stop_reason": reason}
+        with mirror.whole(opened, options) as (flow, of_whole, of_mirror):
+            found = _findings_of(flow, opened, arguments.round or 0.0, place)
+            figures = (of_whole or found.statistics) | {"stop_reason": reason}
             grown = grown_of(
-                flow,
+                found,
                 opened,
                 arguments.leave_out_guides,
-                arguments.round or 0.0,
                 with_data=arguments.output.suffix.lower() != ".obj",
             )
             line = written(grown, arguments, given.problem)
@@ -149,7 +148,8 @@ def _filled(
                 place.say(f"meander: at a spacing of {at:.6g} the curve is {length:.6g} long")
                 if not search.is_nearest(at, length):
                     return None
-            gaps = _gaps_of(flow, opened, place)
+            gaps = found.gaps
+            assert gaps is not None  # they were asked for
             record = report.build_report(
                 core.library_version(),
                 opened.figures,
@@ -168,10 +168,14 @@ def _filled(
     )
 
 
-def _gaps_of(flow: core.Flow, opened: Opened, place: Place) -> core.Gaps:
+def _findings_of(
+    flow: core.Flow | AllCopies, opened: Opened, rounding: float, place: Place
+) -> core.Findings:
+    """All that is told of a curve, with its gaps; and the line with round turns, at most so many
+    spacings beside it, unless that is 0."""
     large = opened.cost.nodes > LARGE
-    with core.Context() as context, told(context, "looking for gaps", place.say, large):
-        return flow.gaps(context=context)
+    with core.Context() as context, told(context, "measuring the curve", place.say, large):
+        return flow.findings(tolerance=rounding, context=context)
 
 
 def _warnings_of(given: Input) -> list[str]:

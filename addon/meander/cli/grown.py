@@ -42,23 +42,16 @@ class Grown:
 
 
 def grown_of(
-    flow: core.Flow,
-    opened: Opened,
-    without_guides: bool,
-    rounding: float = 0.0,
-    with_data: bool = True,
+    found: core.Findings, opened: Opened, without_guides: bool, with_data: bool = True
 ) -> Grown:
-    """The curve of a run that has ended, or the line with round turns, at most so many spacings
-    beside it. Raises core.MeanderError.
+    """The curve of a run that has ended as it is drawn.
 
-    with_data   what is known of its points, which costs a medial axis, and more memory than they
+    with_data   with what is known of its points, which takes more memory than they
     """
-    curve, data = flow.rounded(rounding) if rounding else (flow.polylines(), None)
+    curve, data = found.drawn or (found.polylines, found.point_data)
     if not with_data:
         data = None
-    elif data is None:
-        data = flow.point_data()
-    guides = flow.guides()
+    guides = found.guides
     if without_guides:
         kept = strands.points_without_guides(curve, guides)
         data = _kept(data, kept)

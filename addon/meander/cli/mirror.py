@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from .. import core
+from ..model.copies import AllCopies
 from ..model.geometry.reflection import mirror_of
 from ..model.opening import Opened
 from ..model.problem import Problem
@@ -47,13 +48,14 @@ def reflect(problem: Problem, arguments: argparse.Namespace, matrix: Any = None)
 @contextmanager
 def whole(
     opened: Opened, options: core.FlowOptions
-) -> Iterator[tuple[core.Flow, dict[str, Any], dict[str, Any] | None]]:
-    """The flow of the whole curve of a run that has ended, its figures, and the report's "mirror".
+) -> Iterator[tuple[core.Flow | AllCopies, dict[str, Any] | None, dict[str, Any] | None]]:
+    """The flow of the whole curve of a run that has ended, its figures, None: as the flow tells
+    them, and the report's "mirror".
 
     options   those of the run at its end
     """
     if opened.part is None:
-        yield opened.flow, opened.flow.statistics(), None
+        yield opened.flow, None, None
         return
     found = whole_of(opened.part, opened.flow, options)
     with found.flow as flow:

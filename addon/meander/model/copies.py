@@ -272,8 +272,20 @@ class AllCopies:
         return self._flow.statistics()
 
     def gaps(self, context: core.Context | None = None) -> core.Gaps:
-        found = self._flow.gaps(context=context)
-        return replace(found, positions=self._copies.back(found.positions))
+        return self._placed(self._flow.gaps(context=context))
+
+    def findings(
+        self, gaps: bool = True, tolerance: float = 0.0, context: core.Context | None = None
+    ) -> core.Findings:
+        found = self._flow.findings(gaps, tolerance, context)
+        return found._replace(
+            polylines=self._moved(found.polylines),
+            gaps=None if found.gaps is None else self._placed(found.gaps),
+            drawn=found.drawn and (self._moved(found.drawn[0]), found.drawn[1]),
+        )
+
+    def _placed(self, gaps: core.Gaps) -> core.Gaps:
+        return replace(gaps, positions=self._copies.back(gaps.positions))
 
     def _moved(self, curve: core.Polylines) -> core.Polylines:
         return curve._replace(positions=self._copies.back(curve.positions))
