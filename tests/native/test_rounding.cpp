@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "api_flows.h"
 #include "api_results.h"
 #include "meshes.h"
+#include "outputs/gaps.h"
 #include "outputs/rounding.h"
 
 namespace meander::test::rounding_tests {
@@ -167,6 +169,17 @@ TEST_F(Rounding, CrossesItselfNowhere) {
     });
     EXPECT_TRUE(exact_crossings(flow_->flow->surface(), curve).empty());
   }
+}
+
+TEST_F(Rounding, TellsThePartOfASearchThatItIs) {
+  std::atomic<double> share = 0;
+  flow_->flow->ask([&](const Flow::Present& present) {
+    meander::find_gaps(present, kGapSize, {&share, 0.2, 0.4});
+    EXPECT_DOUBLE_EQ(share, 0.4);
+    meander::rounded(present.state.domain, present.state.curve, 0.12, present.pool, {&share, 0.4, 0.9});
+    EXPECT_DOUBLE_EQ(share, 0.9);
+    return 0;
+  });
 }
 
 TEST_F(Rounding, LeavesTheCurveAndTheNumberOfThreadsAlone) {

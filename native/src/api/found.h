@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "api/results.h"
+#include "base/tell.h"
 #include "outputs/gaps.h"
 #include "outputs/polylines.h"
 #include "outputs/rounding.h"
@@ -47,7 +48,8 @@ struct DrawnCurve {
 
 void require_tolerance(double tolerance);
 
-DrawnCurve drawn_curve(const Flow::Present& present, double tolerance);
+/// `told` hears how far the turns are round.
+DrawnCurve drawn_curve(const Flow::Present& present, double tolerance, WatchedPart told = {});
 
 struct ReadyLine {
   Ready<meander_polylines> polylines;

@@ -64,7 +64,7 @@ meander_status meander_flow_find_gaps(meander_flow* flow, double least_size, mea
     const double least = least_size_of(least_size);
     check_cancelled(context);
     const LentProgress lent(context);
-    Ready<meander_gaps> found = ready_gaps(*flow, find_gaps(*flow->flow, least, cancel_of(context), lent.share()));
+    Ready<meander_gaps> found = ready_gaps(*flow, find_gaps(*flow->flow, least, cancel_of(context), {lent.share()}));
     check_cancelled(context);
     found.hand_out(gaps);
   });

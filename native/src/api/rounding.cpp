@@ -46,9 +46,9 @@ void leave_out(PointValues& values, const std::vector<uint8_t>& drawn) {
 
 void meander::require_tolerance(double tolerance) { require_range(tolerance, 0, 0.5, "tolerance (in spacings)"); }
 
-DrawnCurve meander::drawn_curve(const Flow::Present& present, double tolerance) {
+DrawnCurve meander::drawn_curve(const Flow::Present& present, double tolerance, WatchedPart told) {
   const FlowState& state = present.state;
-  DrawnCurve made{rounded(state.domain, state.curve, tolerance, present.pool), {}};
+  DrawnCurve made{rounded(state.domain, state.curve, tolerance, present.pool, told), {}};
   made.drawn = drawn_points(state.domain, made.curve.curve, present.pool);
   return made;
 }

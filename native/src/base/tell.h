@@ -3,6 +3,7 @@
 // How whoever asked for a computation hears how far it has come.
 #pragma once
 
+#include <atomic>
 #include <functional>
 
 namespace meander {
@@ -16,5 +17,15 @@ inline Tell part_of(const Tell& tell, double from, double to) {
   if (!tell) return {};
   return [tell, from, to](double share) { tell(from + share * (to - from)); };
 }
+
+/// A part of a share that somebody watches, for work that any thread tells of. It must not outlive the share.
+struct WatchedPart {
+  std::atomic<double>* share = nullptr;  ///< nullptr: nobody watches
+  double from = 0, to = 1;
+
+  void at(double done) const {
+    if (share) *share = from + done * (to - from);
+  }
+};
 
 }  // namespace meander

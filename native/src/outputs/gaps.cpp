@@ -103,10 +103,8 @@ std::vector<Gap> apart(const Surface& surface, const std::vector<Gap>& gaps, dou
 /// How far a search is, for whoever watches; any thread tells.
 class Told {
  public:
-  explicit Told(std::atomic<double>* share) : share_(share) { at(0); }
-  void at(double share) const {
-    if (share_) *share_ = share;
-  }
+  explicit Told(WatchedPart part) : part_(part) { at(0); }
+  void at(double share) const { part_.at(share); }
   /// The loops that follow go over `blocks` blocks, while the share that is done rises from one to the other.
   void begin(double from, double to, size_t blocks) {
     from_ = from;
@@ -116,7 +114,7 @@ class Told {
   void block() { at(from_ + step_ * static_cast<double>(++done_)); }
 
  private:
-  std::atomic<double>* share_;
+  WatchedPart part_;
   double from_ = 0, step_ = 0;
   std::atomic<size_t> done_ = 0;
 };
@@ -210,12 +208,12 @@ Gaps emptiest_places(const Flow::Present& present, double least_size, Told& told
 
 }  // namespace
 
-Gaps find_gaps(Flow& flow, double least_size, const CancelToken& cancel, std::atomic<double>* told) {
-  if (told) *told = 0;
+Gaps find_gaps(Flow& flow, double least_size, const CancelToken& cancel, WatchedPart told) {
+  told.at(0);
   return flow.ask([&](const Flow::Present& present) { return find_gaps(present, least_size, told); }, cancel);
 }
 
-Gaps find_gaps(const Flow::Present& present, double least_size, std::atomic<double>* told) {
+Gaps find_gaps(const Flow::Present& present, double least_size, WatchedPart told) {
   Told search(told);
   Gaps found = emptiest_places(present, least_size, search);
   search.at(1);

@@ -3,9 +3,9 @@
 // Gaps: the places of the surface that are farther from the curve than a filled surface has them.
 #pragma once
 
-#include <atomic>
 #include <vector>
 
+#include "base/tell.h"
 #include "flow/flow.h"
 #include "outputs/constants.h"
 #include "outputs/empty_area.h"
@@ -37,10 +37,9 @@ struct Gaps {
 ///
 /// Where a strip along the boundary is to stay empty, only what lies farther from the curve than the strip asks for is
 /// a gap, or empty. Centres are on Flow::surface(), radii in its unit. See Flow::ask for what changes, and
-/// for `cancel`. `told`, where it is given, goes from 0 to 1 on the way.
-Gaps find_gaps(Flow& flow, double least_size = kGapSize, const CancelToken& cancel = {},
-               std::atomic<double>* told = nullptr);
+/// for `cancel`. `told` hears how far the search is.
+Gaps find_gaps(Flow& flow, double least_size = kGapSize, const CancelToken& cancel = {}, WatchedPart told = {});
 /// The same, where more is asked at once.
-Gaps find_gaps(const Flow::Present& present, double least_size, std::atomic<double>* told = nullptr);
+Gaps find_gaps(const Flow::Present& present, double least_size, WatchedPart told = {});
 
 }  // namespace meander

@@ -77,7 +77,7 @@ class Rounding {
     std::iota(origin_.begin(), origin_.end(), 0u);
   }
 
-  RoundedCurve make() {
+  RoundedCurve make(WatchedPart told) {
     measure();
     mark_bends();
     moved_.assign(curve_.size(), 0);
@@ -87,6 +87,7 @@ class Rounding {
     for (int step = 0; step < kRoundingSteps; ++step) {
       if (step > 0 && step % kStepsPerSpread == 0) spread();
       move();
+      told.at((step + 1.0) / kRoundingSteps);
     }
     spread();
     return {std::move(curve_), std::move(origin_)};
@@ -293,13 +294,14 @@ class Rounding {
 
 }  // namespace
 
-RoundedCurve rounded(const Domain& domain, const Curve& curve, double tolerance, ThreadPool& pool) {
+RoundedCurve rounded(const Domain& domain, const Curve& curve, double tolerance, ThreadPool& pool,
+                     WatchedPart told) {
   if (!(tolerance > 0)) {
     RoundedCurve same{curve, NodeData<uint32_t>(curve.size())};
     std::iota(same.origin.begin(), same.origin.end(), 0u);
     return same;
   }
-  return Rounding(domain, curve, tolerance, pool).make();
+  return Rounding(domain, curve, tolerance, pool).make(told);
 }
 
 }  // namespace meander

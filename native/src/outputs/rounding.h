@@ -4,6 +4,7 @@
 // along it pinches.
 #pragma once
 
+#include "base/tell.h"
 #include "base/thread_pool.h"
 #include "curve/curve.h"
 #include "flow/domain.h"
@@ -23,6 +24,8 @@ struct RoundedCurve {
 /// the last bit. It has no crossings: nodes move as those of the flow do, see Retraction.
 ///
 /// `tolerance`  in local spacings; 0: the curve stays
-RoundedCurve rounded(const Domain& domain, const Curve& curve, double tolerance, ThreadPool& pool);
+/// `told`       hears how far it is
+RoundedCurve rounded(const Domain& domain, const Curve& curve, double tolerance, ThreadPool& pool,
+                     WatchedPart told = {});
 
 }  // namespace meander
