@@ -87,7 +87,9 @@ def measure(
         now = time.monotonic()
         silent, last = max(silent, now - last), now
         lines.append(line)
-        at |= {phase: now for begin, phase in PHASES if line.startswith(begin)}
+        for begin, phase in PHASES:  # later lines of a phase say how far it is
+            if line.startswith(begin):
+                at.setdefault(phase, now)
     _pid, status, used = os.wait4(child.pid, 0)
     ended = time.monotonic()
     if os.waitstatus_to_exitcode(status) != 0:
