@@ -331,7 +331,7 @@ TEST_P(OnAFilledSurface, GrowthSeesWhatThereIsToSee) {
         const Vec3 d = f.frames.position[j] - f.frames.position[i];
         const double ahead = d.dot(f.frames.outward[i][side]);
         if (!(ahead > 0) || !(d.squaredNorm() < 2 * least * ahead)) continue;
-        const bool away = patches.normal(p).dot(patches.normal(patch[j])) < SurfacePatches::kOpposite;
+        const bool away = patches.normal(p).dot(patches.normal(patch[j])) < kOppositeNormals;
         if ((one_sided && away) || patches.hidden(p, patch[j])) continue;
         least = d.squaredNorm() / (2 * ahead);
       }

@@ -112,7 +112,7 @@ std::set<uint32_t> remote_from(const Cut& c, const std::vector<Part>& parts, uin
     if (along[q] <= most * r) near.insert(c.patches.sheet_of(q));
     if ((parts[q].centre - parts[p].centre).norm() > 2.8 * r || along[q] <= 4 * r) continue;
     if (parts[q].component == parts[p].component) hidden.insert(c.patches.sheet_of(q));
-    same_side = same_side || c.patches.normal(p).dot(c.patches.normal(q)) >= SurfacePatches::kOpposite;
+    same_side = same_side || c.patches.normal(p).dot(c.patches.normal(q)) >= kOppositeNormals;
   }
   std::set<uint32_t> remote;
   std::ranges::set_difference(hidden, near, std::inserter(remote, remote.end()));
@@ -154,7 +154,7 @@ Said expect_as_defined(const Cut& c, const std::function<bool(const Part&)>& ask
       for (const double limit : {2.8, 3.2, 3.8}) tie |= std::abs(apart - limit) < kTie;
       const bool elsewhere = remote.contains(c.patches.sheet_of(q));
       const bool hidden = !connected(parts[q]) || elsewhere || (apart <= 2.8 && path > 4);
-      const bool away = c.patches.normal(p).dot(c.patches.normal(q)) < SurfacePatches::kOpposite;
+      const bool away = c.patches.normal(p).dot(c.patches.normal(q)) < kOppositeNormals;
       hides |= hidden && apart <= 2.8;
       hides_same_side |= hidden && apart <= 2.8 && !away;
       opposed |= away && apart <= 3.8 && connected(parts[q]);

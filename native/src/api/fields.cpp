@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "api/caller_mesh.h"
+#include "api/constants.h"
 #include "api/guard.h"
 #include "api/offsets.h"
 #include "mesh/fields.h"
@@ -46,10 +47,7 @@ void write(const Surface& surface, const MeshMap* map, const VertexData<Vec3>& d
   });
 }
 
-/// As seen from the surface, a point that is farther away than this, in diagonals, is as good as there: what is nearest
-/// to it hardly changes, but a stroke is looked at every half of an edge.
-constexpr double kFarAway = 16;
-
+/// `p`, or if it is farther away the point at kFarAway in its direction.
 Vec3 within_reach(const Vec3& p, const Surface& surface) {
   const Vec3 from = surface.position(surface.face(0)[0]);
   Vec3 way = p - from;

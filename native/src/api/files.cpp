@@ -3,6 +3,7 @@
 // What mesh files of text hold, rows of numbers as text, and the triangles of polygons.
 #include <algorithm>
 
+#include "api/constants.h"
 #include "api/guard.h"
 #include "api/results.h"
 #include "mesh/mesh_text.h"
@@ -74,9 +75,8 @@ meander_status meander_polygons_triangulate(const double* vertices, size_t verte
                                             size_t corner_count, const uint64_t* ends, size_t polygon_count,
                                             meander_triangles* triangles, meander_error* error) {
   return guard(error, [&] {
-    constexpr size_t kMost = size_t{1} << 30;
     require_struct(triangles);
-    require(vertex_count <= kMost && polygon_count <= kMost && corner_count < UINT32_MAX,
+    require(vertex_count <= kMostPolygons && polygon_count <= kMostPolygons && corner_count < UINT32_MAX,
             "There are more vertices or polygons than the library takes.");
     require((vertices || !vertex_count) && (corners || !corner_count) && (ends || !polygon_count),
             "An array of the polygons is NULL.");

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "api/caller_mesh.h"
+#include "api/constants.h"
 #include "api/flow_options.h"
 #include "api/found.h"
 #include "api/guard.h"
@@ -15,9 +16,6 @@
 using namespace meander;
 
 namespace {
-
-/// Of a density that is found again from the r that it made.
-constexpr double kRounding = 1e-12;
 
 using DensityAt = std::function<double(uint32_t)>;
 
@@ -43,7 +41,7 @@ void check_size(const Surface& surface, const FlowSettings& s, const DensityAt& 
   }
   for (uint32_t v = 0; v < surface.vertex_count(); ++v) {
     // A settled radius of the whole surface is no larger than half of it.
-    if (s.radius <= std::sqrt(density(v)) * (1 + kRounding)) continue;
+    if (s.radius <= std::sqrt(density(v)) * (1 + kDensityRounding)) continue;
     const uint32_t vertex = caller_vertex(map, v);
     throw Failure(FailureKind::kInvalidArgument,
                   "The density " + number(density(v)) + " at vertex " + std::to_string(vertex) +

@@ -9,19 +9,16 @@
 #include <string_view>
 #include <vector>
 
+#include "api/constants.h"
 #include "api/guard.h"
 #include "api/structs.h"
 
 namespace meander {
 namespace {
 
-/// Segments in units of r, where none are asked for.
-constexpr double kSegmentLength = 0.2;
-
-/// require_range for the quotient of two lengths, whose rounding must not refuse the ends themselves.
+/// require_range for the quotient of two lengths.
 void require_ratio(double value, double low, double high, const char* name) {
-  constexpr double kRounding = 1e-9;
-  require_range(value, low * (1 - kRounding), high * (1 + kRounding), name);
+  require_range(value, low * (1 - kRatioRounding), high * (1 + kRatioRounding), name);
 }
 
 void require_radius(double radius) {
@@ -35,7 +32,7 @@ void set_lengths(const meander_flow_options& o, double radius, double scale, Flo
   if (o.segment_length != 0) require_ratio(o.segment_length / o.radius, 0.01, 1, "segment_length (in units of r)");
   if (o.max_radius != 0) require_ratio(o.max_radius / o.radius, 1.5, 1e6, "max_radius (in units of r)");
   require_range(o.max_radius_factor, 1.5, 1e6, "max_radius_factor");
-  s.segment_length = settle(o.segment_length != 0 ? o.segment_length / scale : kSegmentLength * s.radius);
+  s.segment_length = settle(o.segment_length != 0 ? o.segment_length / scale : kUsualSegment * s.radius);
   s.max_radius = settle(o.max_radius != 0 ? o.max_radius / scale : o.max_radius_factor * s.radius);
 }
 

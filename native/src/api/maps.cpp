@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/constants.h"
 #include "api/guard.h"
 #include "api/structs.h"
 #include "base/thread_pool.h"
@@ -13,8 +14,6 @@
 using namespace meander;
 
 namespace {
-
-constexpr uint32_t kLargestImage = 1u << 15;
 
 template <class Value>
 std::span<const Value> array_of(const Value* values, size_t count) {

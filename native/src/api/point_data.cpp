@@ -11,7 +11,7 @@ using namespace meander;
 namespace {
 
 /// Of the surface, between two asks.
-constexpr uint32_t kFaces = 4096;
+constexpr uint32_t kFacesPerPoll = 4096;
 
 }  // namespace
 
@@ -58,7 +58,7 @@ meander_status meander_flow_compute_point_data(meander_flow* flow, meander_point
     check_cancelled(context);
     const CancelToken cancel = cancel_of(context);
     if (parts & MEANDER_POINT_PARTS_RADII) f.update_radii(cancel);
-    if (parts & MEANDER_POINT_PARTS_NORMALS) f.normals().prepare(cancel.every(kFaces));
+    if (parts & MEANDER_POINT_PARTS_NORMALS) f.normals().prepare(cancel.every(kFacesPerPoll));
     check_cancelled(context);
     ready_point_data(point_values(*flow, f.curve(), nullptr, parts)).hand_out(point_data);
   });

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "api/constants.h"
 #include "api/structs.h"
 #include "base/thread_pool.h"
 #include "mesh/doubled_polygons.h"
@@ -64,10 +65,6 @@ PrepareSettings checked_settings(const meander_surface_options& o, size_t vertex
   return s;
 }
 
-/// Which share of the time of a strict check has passed when there is a surface; and of all, when the check has, which
-/// most meshes pass, and when one that does not is mended.
-constexpr double kMade = 0.6, kChecked = 0.9, kMended = 0.95;
-
 /// The surface of a prepared mesh; what it refuses is said of the caller's mesh.
 std::shared_ptr<const Surface> surface_of(const PreparedMesh& mesh, unsigned threads, const CancelToken& cancel,
                                           const Tell& tell) {
@@ -96,8 +93,8 @@ StrictSurface strict_surface(std::span<const double> vertices, std::span<const u
                              const Tell& tell) {
   StrictSurface made;
   try {
-    made.surface = std::make_shared<const Surface>(vertices, faces, threads, cancel, part_of(tell, 0, kMade));
-    if (tell) tell(kMade);
+    made.surface = std::make_shared<const Surface>(vertices, faces, threads, cancel, part_of(tell, 0, kSurfaceMade));
+    if (tell) tell(kSurfaceMade);
     const Surface& surface = *made.surface;
     if (settings.drop_doubled && may_have_doubled_polygons(surface, settings.polygons, cancel)) {
       Soup soup(vertices, faces, cancel);
@@ -132,7 +129,7 @@ std::unique_ptr<meander_surface> prepared_surface(std::span<const double> vertic
   check_numbers(vertices, faces);
   StrictSurface strict;
   if (settings.only_mends()) {
-    strict = strict_surface(vertices, faces, settings, options.threads, cancel, part_of(tell, 0, kChecked));
+    strict = strict_surface(vertices, faces, settings, options.threads, cancel, part_of(tell, 0, kStrictlyChecked));
   }
   made->surface = strict.surface;
   if (!strict.needs_mending) return made;

@@ -11,12 +11,10 @@
 #include <string>
 #include <string_view>
 
+#include "api/constants.h"
 #include "api/requirements.h"
 
 namespace meander {
-
-/// More than any struct will ever need: beyond it a size is one that nobody has set.
-inline constexpr size_t kLargestStruct = 4096;
 
 /// sizeof a struct of the header, then the offset of every field in the order of declaration.
 struct StructLayout {

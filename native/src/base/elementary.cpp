@@ -14,6 +14,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/constants.h"
+
 namespace meander::elementary {
 namespace {
 
@@ -75,14 +77,11 @@ constexpr Pair operator/(Pair a, Pair b) {
   return Pair{q1} + Pair{q2} + Pair{r2.high / b.high};
 }
 
-/// The least term of a series that a pair can feel.
-constexpr double kNothing = 0x1p-120;
-
 /// atan(x) for 0 <= x <= 1/64, or with sign 1 its hyperbolic counterpart.
 constexpr Pair small_arctangent(Pair x, double sign) {
   const Pair square = x * x * Pair{sign};
   Pair power = x, total = x;
-  for (double n = 3; power.high > kNothing || power.high < -kNothing; n += 2) {
+  for (double n = 3; power.high > kLeastOfSeries || power.high < -kLeastOfSeries; n += 2) {
     power = power * square;
     total = total + power / Pair{n};
   }
@@ -92,7 +91,7 @@ constexpr Pair small_arctangent(Pair x, double sign) {
 /// e^x for small x.
 constexpr Pair small_exponential(Pair x) {
   Pair term{1}, total{1};
-  for (double n = 1; term.high > kNothing; ++n) {
+  for (double n = 1; term.high > kLeastOfSeries; ++n) {
     term = term * x / Pair{n};
     total = total + term;
   }
@@ -101,19 +100,15 @@ constexpr Pair small_exponential(Pair x) {
 
 // Further digits than a pair holds: the third part of pi / 2 counts where an angle is near a multiple of it.
 constexpr Pair kHalfPi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
-constexpr double kHalfPiRest = -0x1.f1976b7ed8fbcp-110;
+constexpr Pair kHalfPiRest{-0x1.f1976b7ed8fbcp-110};
 constexpr Pair kPi{2 * kHalfPi.high, 2 * kHalfPi.low};
 constexpr Pair kLog2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
 
-/// Steps from one entry of a table to the next, in 1.
-constexpr int kSteps = 64;
-constexpr double kStep = 1.0 / kSteps;
-
 /// atan(j / 64), from the one before by atan a - atan b = atan((a - b) / (1 + a b)).
 constexpr auto kArctangents = [] {
-  std::array<Pair, kSteps + 1> table{};
-  for (int j = 0; j < kSteps; ++j) {
-    const Pair step = Pair{kSteps} / Pair{static_cast<double>(kSteps * kSteps + j * (j + 1))};
+  std::array<Pair, kTableSteps + 1> table{};
+  for (int j = 0; j < kTableSteps; ++j) {
+    const Pair step = Pair{kTableSteps} / Pair{static_cast<double>(kTableSteps * kTableSteps + j * (j + 1))};
     table[static_cast<size_t>(j) + 1] = table[static_cast<size_t>(j)] + small_arctangent(step, -1);
   }
   return table;
@@ -125,12 +120,12 @@ struct SineAndCosine {
 
 /// The sine and cosine of j / 64, up to pi / 4.
 constexpr auto kSines = [] {
-  Pair sine{kStep}, cosine{1}, term{1};
+  Pair sine{kTableStep}, cosine{1}, term{1};
   sine = {};
-  for (double n = 1; term.high > kNothing || term.high < -kNothing; n += 2) {
-    const Pair odd = term * Pair{kStep} / Pair{n};
+  for (double n = 1; term.high > kLeastOfSeries || term.high < -kLeastOfSeries; n += 2) {
+    const Pair odd = term * Pair{kTableStep} / Pair{n};
     sine = sine + odd;
-    term = -(odd * Pair{kStep} / Pair{n + 1});
+    term = -(odd * Pair{kTableStep} / Pair{n + 1});
     cosine = cosine + term;
   }
   std::array<SineAndCosine, 52> table{};
@@ -144,25 +139,26 @@ constexpr auto kSines = [] {
 
 /// 2^(j / 64).
 constexpr auto kPowers = [] {
-  const Pair step = small_exponential(kLog2 * Pair{kStep});
-  std::array<Pair, kSteps> table{};
+  const Pair step = small_exponential(kLog2 * Pair{kTableStep});
+  std::array<Pair, kTableSteps> table{};
   table[0] = {1};
   for (size_t j = 1; j < table.size(); ++j) table[j] = table[j - 1] * step;
   return table;
 }();
 
-/// log(i / 64) for i from kLeast, which is 64 / sqrt(2) rounded down.
-constexpr int kLeast = 45, kGreatest = 91;
+/// log(i / 64) for i from kFirstLogarithm.
 constexpr auto kLogarithms = [] {
-  std::array<Pair, kGreatest - kLeast + 1> table{};
+  std::array<Pair, kLastLogarithm - kFirstLogarithm + 1> table{};
   const auto step = [](int i) {  // log((i + 1) / i)
     return Pair{2} * small_arctangent(Pair{1} / Pair{static_cast<double>(2 * i + 1)}, 1);
   };
-  for (int i = kSteps; i < kGreatest; ++i) {
-    table[static_cast<size_t>(i + 1 - kLeast)] = table[static_cast<size_t>(i - kLeast)] + step(i);
+  for (int i = kTableSteps; i < kLastLogarithm; ++i) {
+    const auto at = static_cast<size_t>(i - kFirstLogarithm);
+    table[at + 1] = table[at] + step(i);
   }
-  for (int i = kSteps; i > kLeast; --i) {
-    table[static_cast<size_t>(i - 1 - kLeast)] = table[static_cast<size_t>(i - kLeast)] + -step(i - 1);
+  for (int i = kTableSteps; i > kFirstLogarithm; --i) {
+    const auto at = static_cast<size_t>(i - kFirstLogarithm);
+    table[at - 1] = table[at] + -step(i - 1);
   }
   return table;
 }();
@@ -190,8 +186,8 @@ Pair log_of(Pair x) {
     m = {m.high / 2, m.low / 2};
     ++exponent;
   }
-  const int i = static_cast<int>(m.high * kSteps + 0.5);
-  const double near = i * kStep;
+  const int i = static_cast<int>(m.high * kTableSteps + 0.5);
+  const double near = i * kTableStep;
   // u = m / near - 1, below 1 / 90.
   const Pair difference = sum(m.high - near, m.low);
   const double u = difference.high / near;
@@ -203,7 +199,7 @@ Pair log_of(Pair x) {
       (1.0 / 3 - u * (1.0 / 4 - u * (1.0 / 5 - u * (1.0 / 6 - u * (1.0 / 7 - u * (1.0 / 8 - u / 9))))));
   const Pair small = sum(u, -0.5 * square.high);
   const Pair whole = product(exponent, kLog2.high);
-  const Pair known = whole + kLogarithms[static_cast<size_t>(i - kLeast)];
+  const Pair known = whole + kLogarithms[static_cast<size_t>(i - kFirstLogarithm)];
   const Pair total = sum(known.high, small.high);
   const double low = total.low + (known.low + exponent * kLog2.low +
                                   (small.low + (series + (rest * (1 - u) - 0.5 * square.low))));
@@ -214,12 +210,12 @@ Pair log_of(Pair x) {
 double exp_of(Pair x) {
   if (!(x.high < 710)) return x.high >= 710 ? kInfinity : kNaN;
   if (x.high < -746) return 0;
-  const double steps = std::floor(x.high * (kSteps / std::numbers::ln2) + 0.5);
-  const Pair whole = product(steps, kLog2.high * kStep);
+  const double steps = std::floor(x.high * (kTableSteps / std::numbers::ln2) + 0.5);
+  const Pair whole = product(steps, kLog2.high * kTableStep);
   const Pair first = sum(x.high - whole.high, -whole.low);
-  const Pair r = sum_of_ordered(first.high, first.low + (x.low - steps * (kLog2.low * kStep)));
+  const Pair r = sum_of_ordered(first.high, first.low + (x.low - steps * (kLog2.low * kTableStep)));
   const int n = static_cast<int>(steps);
-  const Pair& power = kPowers[static_cast<size_t>(n & (kSteps - 1))];
+  const Pair& power = kPowers[static_cast<size_t>(n & (kTableSteps - 1))];
   const double z = r.high;
   const double series = z * z * (1.0 / 2 + z * (1.0 / 6 + z * (1.0 / 24 + z * (1.0 / 120 + z * (1.0 / 720)))));
   const Pair linear = product(power.high, z);
@@ -240,15 +236,15 @@ Reduced reduced(double x) {
   if (k == 0) return {{x}, 0};
   const Pair first = product(k, kHalfPi.high), second = product(k, kHalfPi.low);
   const Pair angle = sum(x, -first.high) + sum(-first.low, -second.high);
-  return {angle + Pair{-second.low, -k * kHalfPiRest}, static_cast<int>(static_cast<int64_t>(k) & 3)};
+  return {angle + Pair{-second.low, -k * kHalfPiRest.high}, static_cast<int>(static_cast<int64_t>(k) & 3)};
 }
 
 /// The sine (or cosine) of an angle of at most pi / 4.
 double sine_of(Pair angle, bool cosine) {
   const double sign = angle.high < 0 ? -1 : 1;
   const double a = sign * angle.high;
-  const size_t j = static_cast<size_t>(a * kSteps + 0.5);
-  const Pair t = sum(a - static_cast<double>(j) * kStep, sign * angle.low);
+  const size_t j = static_cast<size_t>(a * kTableSteps + 0.5);
+  const Pair t = sum(a - static_cast<double>(j) * kTableStep, sign * angle.low);
   const double z = t.high * t.high;
   const double sine_rest = t.high * z * (-1.0 / 6 + z * (1.0 / 120 + z * (-1.0 / 5040 + z / 362880)));
   const double cosine_rest = z * (-1.0 / 2 + z * (1.0 / 24 + z * (-1.0 / 720 + z / 40320)));
@@ -266,8 +262,8 @@ double sine_of(Pair angle, bool cosine) {
 
 /// The arctangent of y / x for 0 < y <= x, both between 2^-70 and 2^70.
 Pair arctangent(double y, double x) {
-  const double j = std::floor(kSteps * (y / x) + 0.5);
-  const double near = j * kStep;
+  const double j = std::floor(kTableSteps * (y / x) + 0.5);
+  const double near = j * kTableStep;
   // tan(a - b) = (tan a - tan b) / (1 + tan a tan b)
   const Pair down = product(near, x), along = product(near, y);
   const Pair top = sum(y - down.high, -down.low);

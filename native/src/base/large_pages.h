@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/constants.h"
 #include "base/page_store.h"
 
 namespace meander {
@@ -27,7 +28,7 @@ struct LargePages {
   friend bool operator==(const LargePages&, const LargePages&) { return true; }
 
   /// Whether lists of n entries are long.
-  static bool is_large(size_t n) { return n >= kLarge / sizeof(T); }
+  static bool is_large(size_t n) { return n >= kLargePage / sizeof(T); }
 
   T* allocate(size_t n) {
     if (!is_large(n)) return std::allocator<T>().allocate(n);
@@ -48,9 +49,6 @@ struct LargePages {
   void construct(U* p, Arguments&&... arguments) {
     ::new (static_cast<void*>(p)) U(std::forward<Arguments>(arguments)...);
   }
-
- private:
-  static constexpr size_t kLarge = size_t{1} << 21;
 };
 
 /// A list. Numbers that resize() adds, and what consists of them, are anything.

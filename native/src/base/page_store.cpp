@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <mutex>
 
+#include "base/constants.h"
 #include "base/lock.h"
 #endif
 
@@ -29,8 +30,8 @@ namespace meander {
 
 namespace {
 
-/// Large pages, and what blocks are a multiple of.
-constexpr size_t kLargePage = size_t{1} << 21, kBlockGrain = size_t{1} << 16;
+/// What blocks are a multiple of.
+constexpr size_t kBlockGrain = size_t{1} << 16;
 
 size_t rounded_up(size_t bytes, size_t grain) { return (bytes + grain - 1) / grain * grain; }
 

@@ -10,6 +10,8 @@
 #include <cfloat>
 #include <cmath>
 
+#include "base/constants.h"
+
 namespace meander {
 
 struct Vec2 {
@@ -34,10 +36,6 @@ inline Vec2 unit(Vec2 a) {
   return n > 0 ? Vec2{a.x / n, a.y / n} : Vec2{};
 }
 
-/// Coordinates inside a face, and along an edge, are multiples of kGrain (2^-50). So 1 - t and
-/// differences are exact, both faces of an edge agree about a point on it, and orientation() is
-/// exact without multiple-precision arithmetic.
-inline constexpr double kGrain = 0x1p-50;
 static_assert(FLT_EVAL_METHOD == 0, "snap() and orientation() need every result to be rounded to a double");
 
 /// The multiple of kGrain nearest to t in [-2, 2), the even one of two: what a sum between 4 and 8 is rounded

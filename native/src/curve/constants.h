@@ -28,6 +28,9 @@ inline constexpr double kHairpinTurn = 2 * std::numbers::pi / 3;  // radians; 0 
 inline constexpr double kHairpinWindow = 4;                       // r; > kHairpinTurn; free
 inline constexpr double kHairpinMargin = 2;                       // r; >= 0; free
 
+/// Turns whose sine is smaller are those of a short series, to 1e-7: strands hardly turn at most nodes.
+inline constexpr double kHardlyTurned = 0.25;                     // sine; 0 to 1; above
+
 /// A step that would let the curve cross itself is halved; a node stays where it was after this many halvings.
 inline constexpr int kMostStepHalvings = 4;                       // halvings; >= 0; free
 

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "base/elementary.h"
+#include "curve/constants.h"
 
 namespace meander {
 namespace {
 
 /// The angle of a unit vector, to 1e-7: strands hardly turn at most nodes.
 double angle(Vec2 t) {
-  constexpr double kSmall = 0.25;
-  if (!(t.x > 0 && std::abs(t.y) < kSmall)) return elementary::atan2(t.y, t.x);
+  if (!(t.x > 0 && std::abs(t.y) < kHardlyTurned)) return elementary::atan2(t.y, t.x);
   const double y2 = t.y * t.y;
   return t.y * (1 + y2 * (1.0 / 6 + y2 * (3.0 / 40 + y2 * (15.0 / 336))));
 }

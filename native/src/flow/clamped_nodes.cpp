@@ -10,12 +10,6 @@
 #include "flow/free_nodes.h"
 
 namespace meander {
-namespace {
-
-/// A medial radius this near the clamp (relative) is one that found nothing.
-constexpr double kClamped = 1 - 1e-9;
-
-}  // namespace
 
 bool has_room(const NodeData<Radii>& radii, const LocalMetric& metric, uint32_t node, double room) {
   const double least = std::min(kClamped * metric.max_radius[node], room * metric.radius[node]);

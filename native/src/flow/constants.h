@@ -14,6 +14,8 @@ namespace meander {
 /// The mean distance of nodes, which are kept between 1 and 2 h apart. Measured on spheres, tori, a plane and a rough
 /// ball with curves of 3,000 to 300,000 nodes.
 inline constexpr double kMeanSegment = 1.39;                // h; 1 to 2; above
+/// More nodes than this are refused, for want of memory.
+inline constexpr double kMostNodes = 5e8;                   // nodes; > 0; free
 
 /// Samples of the boundary are at most this far apart.
 inline constexpr double kBoundarySampling = 0.5;            // h; > 0; free
@@ -148,6 +150,12 @@ inline constexpr double kCoarseSpacing = 1.02;              // ratio; > 0; above
 inline constexpr double kBeforeRoundTips = 0.99;            // ratio; > 0; "The spacing that is asked for"
 inline constexpr double kBeforeRoundTipsWhereGrown = 0.975;  // ratio; > 0; "The spacing that is asked for"
 
+/// A median of more nodes says no more.
+inline constexpr uint32_t kEnoughForMedian = 65536;         // nodes; >= 1; free
+
+/// polish_rest where strands of the presets' stiffness come to rest on a usual surface.
+inline constexpr double kUsualRest = 0.968;                 // share of r; 0 to 1; "The spacing that is asked for"
+
 /// Length weights of the polish stay between these; their offset and gain are tunings.
 inline constexpr double kLeastPolishLength = -1;            // length weight; < 0; free
 inline constexpr double kMostPolishLength = 3;              // length weight; > 0; free
@@ -207,6 +215,12 @@ inline constexpr double kMostAtBoundary = 0.25;             // r; > 0; above
 inline constexpr double kKeptFromBoundary = 0.6;            // r; 0 to 1; "Necks"
 inline constexpr double kLeastTowardsBoundary = 0.04;       // r; > 0; "Necks"
 
+/// Where r varies, parts of a cut guide may be long for the r at their own ends, and are cut again: at most so often.
+inline constexpr int kMostGuideCuts = 10;                   // times; >= 1; free
+
+/// An iteration looks at the path of one in this many segments, and each has its turn.
+inline constexpr size_t kPathTurns = 8;                     // iterations; >= 1; free
+
 // ---- When a phase ends ----------------------------------------------------------------------------------------------
 
 /// The paper's rule: |d|_2 / n (Table 2) is below kPaperLimit in kPaperIterations in a row. With few nodes one quiet
@@ -221,6 +235,9 @@ inline constexpr size_t kGrowthWindow = 10;                 // iterations; >= 1;
 inline constexpr double kGrownLength = 0.02;                // share of the length; > 0; "Settled"
 inline constexpr double kGrownClamped = 0.01;               // share of the nodes; 0 to 1; free
 inline constexpr double kGrownForSure = 0.005;              // share of the length; 0 to kGrownLength; free
+
+/// A medial radius that is this near to its clamp is one that found nothing.
+inline constexpr double kClamped = 0.999999999;             // share of it; 0 to 1; free
 
 /// It also ends when the curve has been no longer, by kGrownForSure, in kSwingWindow than before.
 inline constexpr size_t kSwingWindow = 60;                  // iterations; >= 1; "Growth that swings"
@@ -316,6 +333,16 @@ inline constexpr double kFinishingIterations = 16;          // iterations; > 0; 
 /// more: of a curve of 1,000,000 nodes, on two threads.
 inline constexpr double kLayingWork = 36;                   // iterations; > 0; above
 inline constexpr double kFullGrowthIterations = 10;         // iterations; > 0; above
+
+/// An iteration of so many nodes takes seconds, and tells how far it has come when its steps end: at these shares of
+/// its time, of 1,000,000 nodes on stuffedtoy in `even`.
+inline constexpr size_t kNodesOfLongIteration = 1000000;    // nodes; >= 1; free
+inline constexpr double kIterationMeasured = 0.55;          // share of the time; 0 to 1; above
+inline constexpr double kIterationSolved = 0.7;             // share of the time; kIterationMeasured to 1; above
+inline constexpr double kIterationMoved = 0.9;              // share of the time; kIterationSolved to 1; above
+
+/// From here on progress follows ever more slowly, so that it stays below 1 however long a run takes.
+inline constexpr double kSlowedFrom = 0.7;                  // share of the time; 0 to 1; free
 
 /// While a flow begins: when the surface is smoothed, or need not be, of the time of its domain, and when that is
 /// known, of all of it.

@@ -9,6 +9,7 @@
 
 #include "base/failure.h"
 #include "flow/clamped_nodes.h"
+#include "flow/constants.h"
 #include "flow/flow.h"
 
 namespace meander {

@@ -98,9 +98,6 @@ struct Domain {
   void look_at_lines(const FlowSettings& settings);
 };
 
-/// More nodes than this are refused, for want of memory.
-inline constexpr double kMostNodes = 5e8;
-
 /// About how many nodes a curve has that fills a surface: one for every kMeanSegment h of its length, area / (2 r),
 /// where both lengths shrink with the root of the density. `density_at` is asked for every vertex of every face.
 double expected_nodes(const Surface& surface, const FlowSettings& settings,

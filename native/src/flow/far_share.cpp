@@ -14,13 +14,13 @@ namespace meander {
 namespace {
 
 /// Places between two asks.
-constexpr uint32_t kPlaces = 256;
+constexpr uint32_t kPlacesPerPoll = 256;
 
 /// Looks for places that are far from the nodes of a curve.
 class FarPlaces {
  public:
   FarPlaces(const Domain& domain, const Curve& curve, ThreadPool& pool)
-      : domain_(domain), s_(*domain.surface), tree_(positions(s_, curve, pool), pool.poll(kPlaces)),
+      : domain_(domain), s_(*domain.surface), tree_(positions(s_, curve, pool), pool.poll(kPlacesPerPoll)),
         components_(curve.size()), patches_(domain.patches ? curve.size() : 0) {
     pool.for_each(curve.size(), kNodeGrain, [&](uint32_t i) {
       const SurfacePoint& p = curve.nodes[i];
@@ -92,7 +92,7 @@ double far_share(const Domain& domain, const Curve& curve, ThreadPool& pool) {
   std::vector<double> areas(s.face_count());
   constexpr size_t kFaces = 16;
   pool.for_blocks(s.face_count(), kFaces, [&](size_t, size_t begin, size_t end) {
-    CancelToken poll = pool.poll(kPlaces);
+    CancelToken poll = pool.poll(kPlacesPerPoll);
     for (auto f = static_cast<uint32_t>(begin); f < end; ++f) {
       areas[f] = places.area_in(f, {s.corner(f, 0), s.corner(f, 1), s.corner(f, 2)}, poll);
     }

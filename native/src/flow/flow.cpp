@@ -26,11 +26,6 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
   return {{std::move(curve), {}, {}}, settings, std::move(domain), {settings.full_start, {}, 0}};
 }
 
-/// Of so many nodes an iteration takes seconds, and tells how far it has come when its steps end: at these shares of
-/// its time, on stuffedtoy in even.
-constexpr size_t kLongIteration = 1'000'000;
-constexpr double kMeasured = 0.55, kSolved = 0.7, kMoved = 0.9;
-
 /// Whether a curve is laid first: that was asked for, or nothing can turn or, where nothing was drawn, growth would
 /// leave so much that it is laid in the end all the same. Not in the paper's own program, nor where so wide a strip
 /// along the boundary is to stay empty that a narrow surface has hardly anything to fill.
@@ -107,16 +102,16 @@ void Flow::iterate(ThreadPool& pool, const Tell& tell) {
   iteration.lay(drawn_, [&](double laid) {
     if (tell) tell(progress_with(laid, 0));
   });
-  const bool tells = tell && state_.curve.size() >= kLongIteration && plan().phase != Phase::kStarting;
+  const bool tells = tell && state_.curve.size() >= kNodesOfLongIteration && plan().phase != Phase::kStarting;
   const auto done = [&](double part) {
     if (tells) tell(progress_with(0, part));
   };
   iteration.measure();
-  done(kMeasured);
+  done(kIterationMeasured);
   iteration.solve();
-  done(kSolved);
+  done(kIterationSolved);
   iteration.move();
-  done(kMoved);
+  done(kIterationMoved);
   iteration.refine();
   iteration.check(record_.history.size() + 1);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flow/flow_state.h"
 
-#include "medial/curve_bvh.h"
+#include "medial/constants.h"
 
 namespace meander {
 namespace {
@@ -19,7 +19,7 @@ void measure_segments(const Surface& surface, Curve& curve, ThreadPool& pool) {
 }
 
 void update_metric(const FlowSettings& settings, const Domain& domain, CurveState& state, ThreadPool& pool) {
-  const MetricRules rules{settings.max_radius / settings.radius, CurveBvh::kMostRadius, settings.boundary_distance};
+  const MetricRules rules{settings.max_radius / settings.radius, kMostRadius, settings.boundary_distance};
   find_local_metric(*domain.surface, state.curve, domain.radius, rules, pool, state.metric);
 }
 

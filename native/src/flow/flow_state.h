@@ -5,6 +5,7 @@
 
 #include "curve/curve.h"
 #include "curve/local_metric.h"
+#include "flow/constants.h"
 #include "flow/domain.h"
 #include "flow/node_history.h"
 #include "flow/start_report.h"

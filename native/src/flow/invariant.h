@@ -8,12 +8,10 @@
 
 #include "base/thread_pool.h"
 #include "curve/curve.h"
+#include "flow/constants.h"
 #include "mesh/surface.h"
 
 namespace meander {
-
-/// An iteration looks at the path of one in this many segments, and each has its turn.
-inline constexpr size_t kPathTurns = 8;
 
 /// What is wrong with a curve that an iteration has made of `before`, in words; empty: nothing.
 ///

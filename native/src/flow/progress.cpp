@@ -37,8 +37,7 @@ double share_without_polish(const FlowSettings& settings, const ProgressFigures&
 
 /// x while little is expected to be left, and then ever more slowly, so that it stays below 1.
 double slowed(double x) {
-  constexpr double kFrom = 0.7;
-  return x <= kFrom ? x : 1 - (1 - kFrom) * elementary::exp(-(x - kFrom) / (1 - kFrom));
+  return x <= kSlowedFrom ? x : 1 - (1 - kSlowedFrom) * elementary::exp(-(x - kSlowedFrom) / (1 - kSlowedFrom));
 }
 
 /// The work of the phases of a flow with a polish, in iterations with long segments on a curve that fills the surface.

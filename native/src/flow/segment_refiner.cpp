@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "flow/constants.h"
+
 namespace meander {
 namespace {
 
 /// A segment length that is never reached.
 constexpr double kNever = std::numeric_limits<double>::infinity();
-
-/// Where r varies, parts of a cut guide may be long for the r at their own ends, and are cut again.
-constexpr int kMostCuts = 10;
 
 }  // namespace
 
@@ -22,7 +21,7 @@ void SegmentRefiner::refine(const FlowSettings& settings, const Domain& domain, 
 
 void SegmentRefiner::cut_guides(FlowState& state, const IterationPlan& plan, ThreadPool& pool) {
   const Curve& curve = state.curve;
-  for (uint32_t k = 0, before = 0; k < kMostCuts && curve.has_guides() && curve.size() != before; ++k) {
+  for (uint32_t k = 0, before = 0; k < kMostGuideCuts && curve.has_guides() && curve.size() != before; ++k) {
     before = curve.size();
     apply(state.settings, state.domain, state, plan, state.settings.segment_length, pool);
   }

@@ -16,10 +16,6 @@ enum class StopRule { kSettled, kPaper };
 /// Whether balls are straight through space or along the surface; see MEANDER_MEDIAL_AXIS_...
 enum class MedialAxis { kEuclidean, kGeodesic };
 
-/// polish_rest where strands of the presets' stiffness come to rest on a usual surface. docs/decisions.md, "The spacing
-/// that is asked for".
-inline constexpr double kUsualRest = 0.968;
-
 /// meander_flow_options, checked; lengths in the surface's own unit. What each means is said there.
 struct FlowSettings {
   double radius = 0;

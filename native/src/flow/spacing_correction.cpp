@@ -10,13 +10,10 @@
 namespace meander {
 namespace {
 
-/// A median of more nodes says no more.
-constexpr uint32_t kMostLookedAt = 1u << 16;
-
 /// The median of the medial radii on both sides of the nodes that are not of guides, in the local r; 0 where there are
 /// none. Of very many nodes evenly many are looked at.
 double median_spacing(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric) {
-  const uint32_t stride = curve.size() / kMostLookedAt + 1;
+  const uint32_t stride = curve.size() / kEnoughForMedian + 1;
   std::vector<double> spacing;
   spacing.reserve(2 * (curve.size() / stride + 1));
   for (uint32_t i = 0; i < curve.size(); i += stride) {

@@ -63,8 +63,12 @@ inline constexpr double kLongestPatch = 1.75;              // share of kPatchSiz
 inline constexpr double kCreaseNormals = 0.8;              // cosine; 0 to 1; above
 inline constexpr double kSharpNormals = 0.34;              // cosine; 0 to kCreaseNormals; free
 
-/// The same for all of a patch, which is also bent when its normal says little: below this length of the mean of its
-/// unit normals. An arc with a radius of r has .96.
+/// No line that aims through space leads from one of two places to the other where their normals are opposite: where
+/// their dot product is below this.
+inline constexpr double kOppositeNormals = -0.3;           // cosine; -1 to 0; free
+
+/// What creases and sharp edges are to faces, for all of a patch, which is also bent when its normal says little: below
+/// this length of the mean of its unit normals. An arc with a radius of r has .96.
 inline constexpr double kCreasedPatch = 0.96;              // length of the mean; 0 to 1; geometry
 inline constexpr double kSharpPatch = 0.8;                 // length of the mean; 0 to kCreasedPatch; free
 inline constexpr double kBentPatch = 0.7;                  // length of the mean; 0 to kCreasedPatch; free

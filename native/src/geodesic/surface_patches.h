@@ -63,10 +63,7 @@ class SurfacePatches {
   /// Whether any patch within a few r of p through space faces away from it, hidden or round an edge.
   bool opposed(uint32_t p) const { return traits_[p].opposed; }
   /// Whether two patches face away from each other, as both sides of a sheet do.
-  bool opposite(uint32_t p, uint32_t q) const { return normal_[p].dot(normal_[q]) < kOpposite; }
-  /// Normals are opposite where their dot product is below this: no line that aims through space leads from one such
-  /// place to the other.
-  static constexpr double kOpposite = -0.3;
+  bool opposite(uint32_t p, uint32_t q) const { return normal_[p].dot(normal_[q]) < kOppositeNormals; }
 
   /// Whether the surface bends so much within reach of a patch that straight distances from it may be wrong: at a
   /// crease, where faces meet at an angle, or on a narrow limb.

@@ -3,6 +3,7 @@
 // Balls as regions of a walk down the tree of boxes.
 #pragma once
 
+#include "medial/constants.h"
 #include "medial/curve_bvh.h"
 
 namespace meander {
@@ -16,11 +17,7 @@ struct RoundedBall {
       : x(all(static_cast<float>(at.x() + radius * b.x()))),
         y(all(static_cast<float>(at.y() + radius * b.y()))),
         z(all(static_cast<float>(at.z() + radius * b.z()))) {
-    // Coordinates below 8 and three subtractions, squares and sums in single precision err by less than this in a
-    // distance, so a box that a ball of this much more misses is missed by the ball.
-    constexpr double kRounding = 4e-6;
-    constexpr double kRoundedUp = 1 + 1e-7;  // more than half a unit in the last place
-    const double r = radius + kRounding * (1 + radius);
+    const double r = radius + kBoxRounding * (1 + radius);
     squared = static_cast<float>(r * r * kRoundedUp);
   }
 

@@ -77,18 +77,14 @@ class Clearance {
   bool may_be_within(const Vec3& x, uint32_t part, double far) {
     if (part != part_) nearest_ = 0;
     if (at(x) >= far) return false;
-    if (part == part_ && (x - asked_at_).norm() < kBelieved * far) return true;
+    if (part == part_ && (x - asked_at_).norm() < kBelievedNear * far) return true;
     asked_at_ = x;
     part_ = part;
-    nearest_ = nearest_distance(boundary_, x, std::min(kFarther * far, CurveBvh::kMostRadius), part);
+    nearest_ = nearest_distance(boundary_, x, std::min(kLookedFarther * far, kMostRadius), part);
     return nearest_ < far;
   }
 
  private:
-  /// It is looked for kFarther times as far as asked: farther costs more, but answers for more places. Where it may be
-  /// near, it is not looked for again from places within kBelieved `far` of where it was.
-  static constexpr double kFarther = 2, kBelieved = 0.5;
-
   const CurveBvh& boundary_;
   Vec3 asked_at_ = Vec3::Constant(std::numeric_limits<double>::infinity());
   uint32_t part_ = kNone;

@@ -72,7 +72,7 @@ struct ReachScene {
   const BoundaryObstacle& boundary;
   BoundaryRule rule;
   const SurfacePatches* patches;  ///< null where balls are straight; else what they hide from a node does not count
-  const LocalMetric& metric;      ///< clamps of at most CurveBvh::kMostRadius
+  const LocalMetric& metric;      ///< clamps of at most kMostRadius
   MedialPlan plan = {};
 };
 

@@ -49,6 +49,14 @@ inline constexpr double kBallRounding = 1e-9;         // share of both; 0 to 1; 
 inline constexpr size_t kFewFreeEnds = 32;            // ends; >= 0; free
 inline constexpr uint32_t kRunsOfOneThread = 128;     // runs; >= 1; free
 
+/// Larger radii are not meant: rounding in single precision is allowed for up to here.
+inline constexpr double kMostRadius = 4;              // unit of the surface; > 0; free
+/// Coordinates below 8 and three subtractions, squares and sums in single precision err by less than kBoxRounding in a
+/// distance, so a box that a ball of this much more misses is missed by the ball. Its square is rounded up by more than
+/// half a unit in the last place.
+inline constexpr double kBoxRounding = 4e-6;          // unit of the surface; > 0; geometry
+inline constexpr double kRoundedUp = 1.0000001;       // times; > 1; geometry
+
 // ---- The boundary ---------------------------------------------------------------------------------------------------
 
 /// Weight of the radius that a ball lacks at the boundary, and that in gentle runs; 0 is the push of an empty ball. The
@@ -62,6 +70,11 @@ inline constexpr double kVeryNearPush = 6;            // times; >= 0; "Push of t
 
 /// What of the boundary is turned to a side of a node by less than this does not limit its ball.
 inline constexpr double kFacing = 0.5;                // cosine; 0 to 1; free
+
+/// Whether the boundary is near is looked for kLookedFarther times as far as asked: farther costs more, but answers for
+/// more places. Where it may be near, it is not looked for again from places within kBelievedNear of where it was.
+inline constexpr double kLookedFarther = 2;           // times; >= 1; free
+inline constexpr double kBelievedNear = 0.5;          // share of what was asked; 0 to 1; free
 
 // ---- Balls along the surface, beside creases ------------------------------------------------------------------------
 

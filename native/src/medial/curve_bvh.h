@@ -27,8 +27,6 @@ class CurveBvh {
  public:
   /// Points in a run.
   static constexpr uint32_t kRun = 8;
-  /// Larger radii are not meant: rounding in single precision is allowed for up to here.
-  static constexpr double kMostRadius = 4;
 
   /// Around the points of a run.
   struct Box {

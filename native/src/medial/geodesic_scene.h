@@ -80,12 +80,12 @@ class Obstacles {
     Facing facing(const Run& other) const {
       // (m + u) . (n + v) - m . n is at most this where |m| and |n| are at most 1, |u| and |v| the spreads.
       const double more = spread + other.spread + spread * other.spread, both = mean.dot(other.mean);
-      if (both + more < SurfacePatches::kOpposite) return Facing::kAway;
-      return both - more >= SurfacePatches::kOpposite ? Facing::kAlike : Facing::kUnknown;
+      if (both + more < kOppositeNormals) return Facing::kAway;
+      return both - more >= kOppositeNormals ? Facing::kAlike : Facing::kUnknown;
     }
     bool on_one_sheet_with(uint32_t other) const { return sheet == other && sheet != kNone; }
-    bool faces_away(const Vec3& normal) const { return mean.dot(normal) + spread < SurfacePatches::kOpposite; }
-    bool same_side(const Vec3& normal) const { return mean.dot(normal) - spread >= SurfacePatches::kOpposite; }
+    bool faces_away(const Vec3& normal) const { return mean.dot(normal) + spread < kOppositeNormals; }
+    bool same_side(const Vec3& normal) const { return mean.dot(normal) - spread >= kOppositeNormals; }
   };
   void add_walls(const Surface& surface, const Frames& frames, const BoundaryObstacle& boundary);
 

@@ -82,10 +82,9 @@ struct Couplings {
  private:
   /// Room for `count` rows with about as many entries each as the first ones have, `rows` in these blocks.
   void reserve_as(const std::vector<Couplings>& blocks, size_t rows, size_t count) {
-    constexpr double kMore = 1.05;
     double entries = 0;
     for (const Couplings& block : blocks) entries += block.start.back();
-    if (rows < count) entries *= kMore * static_cast<double>(count) / static_cast<double>(rows);
+    if (rows < count) entries *= kMoreOfRows * static_cast<double>(count) / static_cast<double>(rows);
     start.reserve(count + 1);
     neighbour.reserve(static_cast<size_t>(entries));
     weight.reserve(static_cast<size_t>(entries));

@@ -224,6 +224,9 @@ inline constexpr int kMostHeatIterations = 500;    // iterations; >= 1; free
 inline constexpr double kStiffWeights = 2;         // areas; > 0; free
 inline constexpr uint32_t kCoarsestRows = 64;      // rows; >= 1; free
 
+/// Room is made for so many entries of a row as its first rows have, times this.
+inline constexpr double kMoreOfRows = 1.05;        // times; >= 1; free
+
 /// Damped Jacobi steps before and after each coarser level, and at the coarsest. A share of 2/3 smooths best what is
 /// short for a Laplacian along a line.
 inline constexpr int kHeatSteps = 1;               // steps; >= 1; free

@@ -37,6 +37,8 @@ inline constexpr double kLeastMedialRadius = 1e-3;   // r; > 0; free
 
 /// A closed strand of fewer nodes has couplings that fall on one another, and is solved densely.
 inline constexpr size_t kLeastBanded = 6;            // nodes; >= 6; geometry
+/// What the ends of a chunk cause dies away from node to node; below this it counts as nothing.
+inline constexpr double kNegligible = 1e-40;         // share of the ends; 0 to 1; free
 /// A chunk keeps two nodes at either end of its couplings apart.
 inline constexpr size_t kShortestChunk = 4;          // nodes; >= 4; geometry
 /// Nodes of a chunk that a thread solves by itself: many more than the hundreds which feel its ends.

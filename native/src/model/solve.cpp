@@ -75,7 +75,6 @@ class Pentadiagonal {
   }
 
  private:
-  static constexpr double kNegligible = 1e-40;
   static double size(Vec2 v) { return std::abs(v.x) + std::abs(v.y); }
   void forward(Vec2* x, size_t i) const {
     if (i >= 1) x[i] = x[i] - first_[i - 1] * x[i - 1];

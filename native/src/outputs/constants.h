@@ -3,7 +3,9 @@
 // The constants that decide what is said and drawn of a curve; curve/constants.h says how to read a line.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <numbers>
 
 namespace meander {
 
@@ -26,6 +28,7 @@ inline constexpr int kRoundingSteps = 14;           // steps; >= 1; "Round turns
 inline constexpr int kStepsPerSpread = 5;           // steps; >= 1; free
 /// How often bounds that a solution leaves are held in another one.
 inline constexpr int kBoundTries = 4;               // solutions; >= 1; free
+inline constexpr double kWeightOfBound = 1e9;       // over that of a node; > 1; free
 
 /// How near to each other rounding may take strands.
 inline constexpr double kRoundedClearance = 0.85;   // spacings; 0 to 1; "Round turns"
@@ -109,12 +112,20 @@ inline constexpr double kOnePointSource = 0.25;     // share of it; 0 to 1; free
 /// than the way along the surface.
 inline constexpr double kFlatNormals = 0.94;        // cosine; 0 to 1; geometry
 
+/// Edges are divided where the middle between two lines crosses them, but not nearer to their ends than kLeastOfEdge,
+/// which would only make thin faces. It is sought by so many halvings of an interval.
+inline constexpr double kLeastOfEdge = 0.02;        // share of the edge; 0 to 0.5; free
+inline constexpr int kMiddleHalvings = 16;          // halvings; >= 1; free
+
 // ---- Maps and numbers -----------------------------------------------------------------------------------------------
 
 /// A pixel on the edge between two triangles of a map belongs to both. One that is farther inside than kInsideOfFace of
 /// two triangles shows that the map lies on itself there.
 inline constexpr double kOnMapEdge = 1e-9;          // share of the height; > 0; free
 inline constexpr double kInsideOfFace = 1e-3;       // share of the height; > kOnMapEdge; free
+
+/// Nearest places of corners of a map that are farther apart than this belong to other turns.
+inline constexpr double kOtherTurn = 0.25;          // of the farthest distance; > 0; free
 
 /// 17 significant digits are enough to read the same double again.
 inline constexpr uint32_t kMostDigits = 17;         // digits; >= 1; geometry
@@ -125,5 +136,62 @@ inline constexpr int kMostPowerOfTen = 22;          // powers; >= 0; geometry
 
 /// How far the spacing may be from what is wanted and still be even.
 inline constexpr double kEvenWithin = 0.2;          // share of it; 0 to 1; free
+
+// ---- Cost -----------------------------------------------------------------------------------------------------------
+// Spheres, tori, a plane and a rough ball of 5,000 to 1,300,000 faces with curves of 3,000 to 300,000 nodes and the
+// three presets; docs/performance.md has how near it comes.
+
+/// Of these, the length of a finished curve; without a polish it stays shorter: .967 times area / spacing.
+inline constexpr double kLengthPolished = 1.047;    // area / spacing; > 0; above
+inline constexpr double kLengthUnpolished = 0.967;  // area / spacing; > 0; above
+/// The nodes of a curve that fills the surface from its start over those of one that grows, .87 times as many: its
+/// segments are longer.
+inline constexpr double kFullNodes = 0.87;          // times; 0 to 1; above
+/// How often a line of any direction crosses edges: for each unit of its length, and each unit of edge length on
+/// each unit of area (Crofton).
+inline constexpr double kEdgesCrossed = 2 / std::numbers::pi;  // crossings; 0 to 1; geometry
+
+/// Iterations beside those that remove hairpins, on a curve of kFewNodes: 98, or 33 without a polish; and the power of
+/// the nodes that they grow by.
+inline constexpr double kUsualIterations = 98;      // iterations; > 0; above
+inline constexpr double kUnpolishedIterations = 33;  // iterations; > 0; above
+inline constexpr double kFewNodes = 3000;           // nodes; > 0; above
+inline constexpr double kIterationGrowth = 0.2;     // power; 0 to 1; above
+/// What the 53 of a curve that fills the surface from its start, and the laying of it, cost in those of one that grows,
+/// which is short for half of them, likewise: from .25 s of 5,600 nodes on a torus to 660 s of 10 million.
+inline constexpr double kFullIterations = 80;       // iterations; > 0; above
+inline constexpr double kFullGrowth = 0.04;         // power; 0 to 1; above
+
+/// Of an iteration, for each node, and for each point, whose faces have to be fetched; where a curve stays near to
+/// where it was laid, fewer for crossings beyond one a node: .07 us of .25.
+inline constexpr double kSecondsPerNode = 0.21e-6;  // processor seconds; > 0; above
+inline constexpr double kSecondsPerPoint = 0.25e-6;  // processor seconds; > 0; above
+inline constexpr double kSecondsPerFurtherPoint = 0.07e-6;  // processor seconds; > 0; above
+/// And for each node and radian of curvature, in absolute value, of a disc of radius r, up to kMostRadians: the
+/// more it is curved, the more distances along the surface are measured. What is rougher is smoothed, and takes no
+/// longer for it. Displaced grids of 7,200 and 80,000 faces at two spacings, reliefs, spot and two control meshes:
+/// .15 to 12 rad, .5 to 3 us.
+inline constexpr double kSecondsPerRadian = 1.5e-6;  // processor seconds; > 0; above
+inline constexpr double kMostRadians = 1.4;         // radians; > 0; above
+/// For each face, once: before a flow begins and after its end, and while a first curve is laid that fills the surface,
+/// for a smooth field of lines and their phase on all faces. Tori and spheres of 100,000 to 10,000,000 faces.
+inline constexpr double kSecondsPerFace = 2.5e-6;   // processor seconds; > 0; above
+inline constexpr double kLayingPerFace = 3.5e-6;    // processor seconds; > 0; above
+
+/// Bytes for each face: of the surface, while distances along it are set up, of a flow, and while a curve is laid that
+/// fills the surface, of up to 10,000,000 faces.
+inline constexpr double kSurfacePerFace = 195;      // bytes; > 0; above
+inline constexpr double kPatchesPerFace = 95;       // bytes; > 0; above
+inline constexpr double kFlowPerFace = 12;          // bytes; > 0; above
+inline constexpr double kLayingBytesPerFace = 380;  // bytes; > 0; above
+/// Bytes for each node of a flow, and what a polish and distances along the surface add to them, of up to 300,000
+/// nodes.
+inline constexpr double kBytesPerNode = 1165;       // bytes; > 0; above
+inline constexpr double kPolishPerNode = 420;       // bytes; > 0; above
+inline constexpr double kGeodesicPerNode = 165;     // bytes; > 0; above
+/// Long lists hand their memory on from step to step (base/page_store.h), so there are only those of one step at once:
+/// bytes for each node then, and for all that is no such list. Tori of 100,000 to 10,000,000 nodes.
+inline constexpr double kLongPerNode = 1000;        // bytes; > 0; above
+inline constexpr double kBesideLong = 80e6;         // bytes; > 0; above
 
 }  // namespace meander

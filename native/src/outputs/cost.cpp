@@ -10,48 +10,10 @@
 #include "flow/constants.h"
 #include "flow/plan.h"
 #include "mesh/roughness.h"
+#include "outputs/constants.h"
 
 namespace meander {
 namespace {
-
-// Measured on spheres, tori, a plane and a rough ball of 5,000 to 1,300,000 faces with curves of 3,000 to
-// 300,000 nodes and the three presets; docs/performance.md has how near it comes.
-
-/// The length of a finished curve over area by spacing; without a polish it stays shorter.
-constexpr double kLength = 1.047, kLengthUnpolished = 0.967;
-/// The nodes of a curve that fills the surface from its start over those of one that grows: its segments are longer.
-constexpr double kFullNodes = 0.87;
-/// How often a line of any direction crosses edges: for each unit of its length, and each unit of edge length on
-/// each unit of area (Crofton).
-constexpr double kCrossings = 2 / std::numbers::pi;
-
-/// Iterations beside those that remove hairpins, on a curve of kFewNodes, and the power of the nodes that they grow by.
-constexpr double kIterations = 98, kUnpolishedIterations = 33;
-constexpr double kFewNodes = 3000, kIterationGrowth = 0.2;
-/// What the 53 of a curve that fills the surface from its start, and the laying of it, cost in those of one that grows,
-/// which is short for half of them, likewise: from .25 s of 5,600 nodes on a torus to 660 s of 10 million.
-constexpr double kFullIterations = 80, kFullGrowth = 0.04;
-/// Processor seconds of an iteration for each node, and for each point, whose faces have to be fetched; where a curve
-/// stays near to where it was laid, fewer for crossings beyond one a node.
-constexpr double kSecondsPerNode = 0.21e-6, kSecondsPerPoint = 0.25e-6, kSecondsPerFurtherPoint = 0.07e-6;
-/// And for each node and radian of curvature, in absolute value, of a disc of radius r, up to kMostRadians: the
-/// more it is curved, the more distances along the surface are measured. What is rougher is smoothed, and takes no
-/// longer for it. Displaced grids of 7,200 and 80,000 faces at two spacings, reliefs, spot and two control meshes:
-/// .15 to 12 rad, .5 to 3 us.
-constexpr double kSecondsPerRadian = 1.5e-6, kMostRadians = 1.4;
-/// Processor seconds for each face, once: before a flow begins and after its end, and while a first curve is laid that
-/// fills the surface, for a smooth field of lines and their phase on all faces. Tori and spheres of 100,000 to
-/// 10,000,000 faces.
-constexpr double kSecondsPerFace = 2.5e-6, kLayingPerFace = 3.5e-6;
-
-/// Bytes for each face: of the surface, while distances along it are set up, of a flow, and while a curve is laid that
-/// fills the surface.
-constexpr double kSurfacePerFace = 195, kPatchesPerFace = 95, kFlowPerFace = 12, kLayingBytesPerFace = 380;
-/// Bytes for each node of a flow, and what a polish and distances along the surface add to them.
-constexpr double kBytesPerNode = 1165, kPolishPerNode = 420, kGeodesicPerNode = 165;
-/// Long lists hand their memory on from step to step (base/page_store.h), so there are only those of one step at once:
-/// bytes for each node then, and for all that is no such list. Tori of 100,000 to 10,000,000 nodes.
-constexpr double kLongPerNode = 1000, kBesideLong = 80e6;
 
 double iterations_of(double nodes, const FlowSettings& s) {
   const double growth = elementary::pow(std::max(1.0, nodes / kFewNodes), kIterationGrowth);
@@ -61,7 +23,7 @@ double iterations_of(double nodes, const FlowSettings& s) {
     const double full = kFullIterations * elementary::pow(std::max(1.0, nodes / kFewNodes), kFullGrowth);
     return std::min(full + longer, static_cast<double>(s.iteration_limit));
   }
-  const double all = (s.polish ? removal + longer : 0) + growth * (s.polish ? kIterations : kUnpolishedIterations);
+  const double all = (s.polish ? removal + longer : 0) + growth * (s.polish ? kUsualIterations : kUnpolishedIterations);
   return std::min(all, static_cast<double>(s.iteration_limit));
 }
 
@@ -99,14 +61,14 @@ Extent measured_extent(const Surface& surface, const VertexData<double>& density
 Cost expected_cost(const Extent& extent, const FlowSettings& settings) {
   const double rest = settings.rest(settings.alignment_weight > 0);
   const double r = settings.radius / rest, h = settings.segment_length / rest;
-  const double per_area = (settings.polish ? kLength : kLengthUnpolished) / (2 * r);
+  const double per_area = (settings.polish ? kLengthPolished : kLengthUnpolished) / (2 * r);
   const bool along_surface = settings.medial_axis == MedialAxis::kGeodesic;
   Cost cost;
   cost.length = per_area * extent.length_area;
   cost.nodes = (settings.full_start ? kFullNodes : 1) * per_area * extent.node_area / (kMeanSegment * h);
   // What is too large for a number is still none times no edges.
   constexpr double kMost = std::numeric_limits<double>::max();
-  cost.points = cost.nodes + kCrossings * std::min(cost.length, kMost) * std::min(extent.edge_density, kMost);
+  cost.points = cost.nodes + kEdgesCrossed * std::min(cost.length, kMost) * std::min(extent.edge_density, kMost);
 
   const double per_node =
       kBytesPerNode + (settings.polish ? kPolishPerNode : 0) + (along_surface ? kGeodesicPerNode : 0);

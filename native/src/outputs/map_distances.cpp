@@ -8,15 +8,13 @@
 
 #include "base/eigen.h"
 #include "mesh/surface.h"
+#include "outputs/constants.h"
 #include "outputs/line_by_length.h"
 
 namespace meander {
 namespace {
 
 using Vec3 = Eigen::Vector3d;
-
-/// Nearest places of corners that are farther apart than this share of the farthest distance belong to other turns.
-constexpr double kOtherTurn = 0.25;
 
 /// A place on the curve, by the number of its strand.
 struct Hint {

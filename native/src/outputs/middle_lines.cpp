@@ -5,18 +5,14 @@
 #include <array>
 #include <utility>
 
+#include "outputs/constants.h"
+
 namespace meander {
 namespace {
 
-/// Edges are not divided nearer to their ends than at this share, which would only make thin faces.
-constexpr double kLeastShare = 0.02;
-
-/// Halvings of the interval in which the middle of an edge is sought.
-constexpr int kHalvings = 16;
-
 /// Pieces of work that an edge counts for where its middle is sought, and what is divided.
-constexpr size_t kSearch = 256;
-constexpr size_t kDivision = 4;
+constexpr size_t kPiecesPerSearch = 256;
+constexpr size_t kPiecesPerDivision = 4;
 
 class MiddleLines {
  public:
@@ -35,11 +31,11 @@ class MiddleLines {
     }
     mesh_.reserve_divisions(divisions_.size() + centres_.size());
     for (const Centre& c : centres_) {
-      poll_(kDivision);
+      poll_(kPiecesPerDivision);
       mesh_.split_face(c.face, c.vertex, c.at);
     }
     for (const Division& d : divisions_) {
-      poll_(kDivision);
+      poll_(kPiecesPerDivision);
       mesh_.split_edge(d.edge, d.vertex, d.t);
     }
     for (const auto& [from, to] : turned_) turn(from, to);
@@ -75,13 +71,13 @@ class MiddleLines {
     if (!(near_from(low).distance < near_to(low).distance && near_to(high).distance < near_from(high).distance)) {
       return;  // there is no ridge between them
     }
-    poll_(kSearch);
-    for (int k = 0; k < kHalvings; ++k) {
+    poll_(kPiecesPerSearch);
+    for (int k = 0; k < kMiddleHalvings; ++k) {
       const double t = 0.5 * (low + high);
       (near_from(t).distance < near_to(t).distance ? low : high) = t;
     }
     // The same from either end.
-    const double t = std::clamp(0.5 * (low + high), kLeastShare, 1 - kLeastShare);
+    const double t = std::clamp(0.5 * (low + high), kLeastOfEdge, 1 - kLeastOfEdge);
     const NearestOnLine one = near_from(t), two = near_to(t);
     more_.push_back(one.distance <= two.distance ? one : two);
     division_of_[h / 2] = static_cast<uint32_t>(divisions_.size());

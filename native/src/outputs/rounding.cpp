@@ -250,8 +250,7 @@ class Rounding {
       for (size_t k = 0; k < n; ++k) {
         const double weight = stays * mass[k + 1];
         system.add_diagonal(k, weight, -left_[node[k + 1]] / radius_[node[k + 1]]);
-        constexpr double kHeld = 1e9;
-        if (held[k]) system.add_diagonal(k, kHeld, wanted[k]);
+        if (held[k]) system.add_diagonal(k, kWeightOfBound, wanted[k]);
       }
       const std::vector<double> found = system.solve();
       bool within = true;

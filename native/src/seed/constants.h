@@ -52,10 +52,12 @@ inline constexpr uint32_t kOtherPlacesOfStrip = 16;   // places; > 0; free
 inline constexpr uint32_t kOthersApart = 134217728;   // variations; > 0; free
 
 /// Outlines: points of a line so far apart, the least length of one, and the arc length within which it is not beside
-/// itself. Near the boundary no edge is longer than a part of its distance.
+/// itself. Points keep kOffVertices away from vertices, so that none coincide. Near the boundary no edge is longer than
+/// a part of its distance.
 inline constexpr double kOutlineStep = 0.5;           // radii; > 0; free
 inline constexpr double kLeastOutline = 6;            // radii; > kOutlineBeside; free
 inline constexpr double kOutlineBeside = 3;           // radii; > 0; free
+inline constexpr double kOffVertices = 1e-3;          // share of the edge; 0 to 0.5; free
 inline constexpr double kOutlineFineness = 4;         // distance over the longest edge; >= 1; free
 
 // A full start: its lines.
@@ -107,6 +109,9 @@ inline constexpr double kLengthOff = 0.02;            // share; 0 to 1; "Whole n
 inline constexpr double kFaultLeft = 0.03;            // share; 0 to 1; "Whole numbers of lines round a tube"
 inline constexpr uint32_t kMostTurnsOfField = 12;     // turns; > 0; "Whole numbers of lines round a tube"
 inline constexpr double kNextTurnOfField = 0.41421356237309515; // share of half a turn; 0 to 1; free
+
+/// Of two whole numbers of lines that are as near, to this share of them, it is the lower one.
+inline constexpr double kHalfwayCount = 1e-6;         // share of the lines; 0 to 0.5; free
 
 /// Rows have places where the height of a face is that of the next one but for this.
 inline constexpr double kMostStepOfRows = 0.02;       // distances of two lines; 0 to 0.5; "Straight rows"
@@ -190,6 +195,9 @@ inline constexpr uint32_t kFoundAgain = 524288;       // rows; > 0; above
 inline constexpr double kLeastAgreement = 0.5;        // cosine; -1 to 1; free
 inline constexpr double kLeastStrength = 1e-6;        // of a direction of length 1; 0 to 1; free
 inline constexpr double kLeastHalfCotangent = 0.05;   // half a cotangent; > 0; free
+
+/// Lines keep at least this much of a turn away from vertices.
+inline constexpr double kBesideVertex = 1e-6;         // radians; > 0; free
 
 /// The boundary holds the phase where the field is within 30 degrees of it, with this weight.
 inline constexpr double kAlongBoundary = 0.866;       // cosine; 0 to 1; "A row along the boundary"

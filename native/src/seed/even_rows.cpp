@@ -15,8 +15,7 @@ namespace {
 /// Of two whole numbers that are as near the lower one, as where an odd number of strands would fit: a closed line has
 /// an even one, and strands that are too far apart look better than ones that are too near.
 double nearest_count(double lines) {
-  constexpr double kRounding = 1e-6;
-  return std::max(std::ceil(lines * (1 - kRounding) - 0.5), 1.0);
+  return std::max(std::ceil(lines * (1 - kHalfwayCount) - 0.5), 1.0);
 }
 
 /// How far across the lines the boundary leads in all: twice the width where every row ends there.

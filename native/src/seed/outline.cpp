@@ -67,7 +67,6 @@ class LevelLines {
   void add_point(HalfEdge h, Loop& loop) const {
     const uint32_t a = mesh_.from(h), b = mesh_.to(h);
     // Clear of the vertices, so that points do not coincide.
-    constexpr double kOffVertices = 1e-3;
     const double t = (level_ - distance_.at(a)) / (distance_.at(b) - distance_.at(a));
     const double share = std::clamp(t, kOffVertices, 1 - kOffVertices);
     loop.points.push_back(mesh_.position(a) + share * (mesh_.position(b) - mesh_.position(a)));

@@ -269,9 +269,8 @@ class StripePhase::Relaxation {
   /// Lines pass beside vertices, not through them: where one did, rounding would say which of the edges there it
   /// crosses, and it would end.
   void leave_vertices() {
-    constexpr double kBeside = 1e-6;
     for (Vec2& value : values_) {
-      if (value.x > 0 && std::abs(value.y) < kBeside) value = {1, kBeside};
+      if (value.x > 0 && std::abs(value.y) < kBesideVertex) value = {1, kBesideVertex};
     }
   }
 
