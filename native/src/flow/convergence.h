@@ -3,12 +3,12 @@
 // When growth gives way to the polish, and when the curve has settled or is stuck.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "base/thread_pool.h"
 #include "curve/local_metric.h"
 #include "flow/plan.h"
+#include "flow/rest_of_picture.h"
 #include "flow/settings.h"
 
 namespace meander {
@@ -27,6 +27,29 @@ struct IterationFigures {
   bool laid = false;             ///< the iteration laid something; see Iteration::lay
 };
 
+/// The lengths of the curve after all iterations, and since when its present phase lasts.
+class LengthsOfPhase {
+ public:
+  void begin_phase() { start_ = lengths_.size(); }
+  void push(double length) { lengths_.push_back(length); }
+  void pop() noexcept { lengths_.pop_back(); }
+
+  size_t iterations() const { return lengths_.size(); }
+  size_t iterations_in_phase() const { return lengths_.size() - start_; }
+  /// Whether the curve is `times` as long as after the last iteration; not after the first.
+  bool exceeds_last(double length, double times) const { return !lengths_.empty() && length > times * lengths_.back(); }
+  /// By what share the length has changed in the iterations of the phase up to one after which it is this; 1 where
+  /// these are fewer.
+  double change_in(size_t window, double length) const;
+  /// Whether the lengths of the phase go up and down, and for long no higher than before: of a few nodes, that come
+  /// and go.
+  bool swing() const;
+
+ private:
+  std::vector<double> lengths_;
+  size_t start_ = 0;  // iteration at which the phase began
+};
+
 /// How a flow begins: it grows, or a curve is laid first, and then on strips that are all too narrow to turn in.
 enum class Beginning { kGrown, kFull, kNarrow };
 
@@ -34,19 +57,9 @@ enum class Beginning { kGrown, kFull, kNarrow };
 /// at a time.
 class Convergence {
  public:
-  /// The curve as it was at an iteration.
-  struct Picture {
-    size_t iteration = 0;
-    std::vector<Vec3> nodes;
-    std::vector<uint32_t> next, previous;
-  };
-
   /// See FlowSettings.
   Convergence(StopRule rule, bool polish, uint32_t hairpin_removal_iterations, uint32_t polish_iterations)
-      : rule_(rule),
-        polish_wanted_(polish),
-        hairpin_removal_iterations_(hairpin_removal_iterations),
-        polish_iterations_(polish_iterations) {}
+      : Convergence(Lasting{rule, polish, hairpin_removal_iterations, polish_iterations}) {}
 
   /// Of a new flow with these settings. One that does not begin grown has no hairpins removed and a polish of its own
   /// once something has been laid; else it grows as if nothing else had been asked for.
@@ -79,9 +92,9 @@ class Convergence {
 
   Phase phase() const { return phase_; }
   /// Whether something has been laid in the phase kStarting, or later most of the curve.
-  bool began_full() const { return began_full_; }
+  bool began_full() const { return lasting_.began_full; }
   /// Whether segments are short from now on: long ones were stuck, and nothing could be laid beside them.
-  bool cut_short() const { return cut_short_; }
+  bool cut_short() const { return tried_.cut_short; }
   /// How many iterations of the present phase have been noted.
   uint32_t iterations_in_phase() const;
   /// How many iterations in a row have been quiet by the paper's rule, at whose number it ends a run.
@@ -93,6 +106,27 @@ class Convergence {
   bool stalled() const { return stalled_; }
 
  private:
+  /// What stays when the surface moves: what is wanted, and how much of it has been done.
+  struct Lasting {
+    StopRule rule;
+    bool polish_wanted;
+    uint32_t hairpin_removal_iterations, polish_iterations;
+    uint32_t full_polish_iterations = 0;  // where it begins full
+    bool began_full = false;
+    bool fitting = false;  // the polish is followed by the last iterations
+    double change = 0;     // of r since the curve grew; see revised()
+    uint32_t removed_for = 0, polished = 0;  // iterations that have passed of these phases
+  };
+  /// What growth has done where it would have ended.
+  struct Tried {
+    bool rest_laid = false, cut_short = false;
+    bool loosened = false;    // what lay in balance has been pushed
+    bool alone_laid = false;  // laying a way back beside what lies alone has been tried
+    double far_before = 1;    // far_share when growth would have ended before
+  };
+
+  explicit Convergence(const Lasting& lasting) : lasting_(lasting) {}
+
   void begin(Phase phase);
   void begin_full() noexcept;
   bool awaits_rest() const;
@@ -100,27 +134,16 @@ class Convergence {
   bool is_held() const;
   void note_idleness(const IterationFigures& figures);
   bool has_grown(double change, double clamped_share) const;
-  double change_in(size_t window, double length) const;
   void note_growth(const IterationFigures& figures, bool rests);
-  bool has_settled(const Surface& surface, const Curve& curve, const LocalMetric& metric, double change,
-                   ThreadPool& pool);
 
-  StopRule rule_;
-  bool polish_wanted_, converged_ = false, stalled_ = false;
-  bool fitting_ = false;  // the polish is followed by the last iterations
-  bool began_full_ = false, rest_laid_ = false, cut_short_ = false;
-  bool loosened_ = false;    // what lay in balance has been pushed
-  bool alone_laid_ = false;  // laying a way back beside what lies alone has been tried
-  double far_before_ = 1;  // far_share when growth would have ended before
-  uint32_t full_polish_iterations_ = 0;  // where it begins full
-  double change_ = 0;     // of r since the curve grew; see revised()
-  uint32_t hairpin_removal_iterations_, removed_for_ = 0, polish_iterations_, polished_ = 0;
+  Lasting lasting_;
+  Tried tried_;
   Phase phase_ = Phase::kGrowing;
-  std::vector<double> lengths_;
-  size_t phase_start_ = 0;  // iteration at which the phase began
-  size_t idle_ = 0;         // iterations in a row in which nothing moved that should have
-  size_t quiet_ = 0;        // iterations in a row below the paper's limit
-  std::optional<Picture> picture_;
+  LengthsOfPhase lengths_;
+  RestOfPicture picture_;
+  size_t idle_ = 0;   // iterations in a row in which nothing moved that should have
+  size_t quiet_ = 0;  // iterations in a row below the paper's limit
+  bool converged_ = false, stalled_ = false;
 };
 
 }  // namespace meander
