@@ -27,6 +27,91 @@ Turn turn_of(Vec2 a, Vec2 b, Vec2 c) {
   return area > 0 ? kConvex : (area < 0 ? kConcave : kStraight);
 }
 
+/// Corners of a polygon, a bit for each.
+class CornerSet {
+ public:
+  void clear(uint32_t count) { words_.assign(count / kWord + 1, 0); }
+  void add(uint32_t c) { words_[c / kWord] |= bit(c); }
+  void remove(uint32_t c) { words_[c / kWord] &= ~bit(c); }
+
+  /// The first of them from a corner on, of which there is one.
+  uint32_t nearest(uint32_t c, bool backwards) const {
+    const auto words = static_cast<uint32_t>(words_.size());
+    uint32_t word = c / kWord;
+    uint64_t left = words_[word] & (backwards ? bit(c) | (bit(c) - 1) : ~(bit(c) - 1));
+    while (left == 0) {
+      word = backwards ? (word == 0 ? words - 1 : word - 1) : (word + 1 == words ? 0 : word + 1);
+      left = words_[word];
+    }
+    return word * kWord + static_cast<uint32_t>(backwards ? std::bit_width(left) - 1 : std::countr_zero(left));
+  }
+
+ private:
+  static constexpr uint32_t kWord = 64;
+  static uint64_t bit(uint32_t c) { return uint64_t{1} << (c % kWord); }
+
+  std::vector<uint64_t> words_;
+};
+
+/// Some corners of a polygon in square cells, about one in each, so that an ear is compared with those near it only.
+class CornerCells {
+ public:
+  /// Sorts the `count` corners of which is_one(corner) is true.
+  template <class IsOne>
+  void sort(const std::vector<Vec2>& points, size_t count, const IsOne& is_one) {
+    Vec2 high{};
+    low_ = high = points[0];
+    for (const Vec2 p : points) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    const double width = high.x - low_.x, height = high.y - low_.y, longest = std::max(width, height);
+    const auto many = static_cast<double>(std::max<size_t>(1, count));
+    // As many cells as corners, whatever the shape of the box.
+    size_ = std::max(std::sqrt(width * height / many), longest / many);
+    if (!(size_ > 0)) size_ = 1;
+    columns_ = static_cast<size_t>(width / size_) + 1;
+    rows_ = static_cast<size_t>(height / size_) + 1;
+    end_.assign(columns_ * rows_ + 1, 0);
+    for (uint32_t c = 0; c < points.size(); ++c) {
+      if (is_one(c)) ++end_[cell_of(points[c]) + 1];
+    }
+    for (size_t k = 1; k < end_.size(); ++k) end_[k] += end_[k - 1];
+    corners_.resize(count);
+    for (uint32_t c = 0; c < points.size(); ++c) {
+      if (is_one(c)) corners_[end_[cell_of(points[c])]++] = c;
+    }
+    // Each has moved to its end; what is the end of a cell is now the beginning of the next.
+  }
+
+  /// Whether it is true of any of them near a triangle.
+  template <class Predicate>
+  bool any_in_box(Vec2 a, Vec2 b, Vec2 c, const Predicate& predicate) const {
+    const size_t left = column(std::min({a.x, b.x, c.x})), right = column(std::max({a.x, b.x, c.x}));
+    const size_t top = row(std::max({a.y, b.y, c.y}));
+    for (size_t r = row(std::min({a.y, b.y, c.y})); r <= top; ++r) {
+      const size_t first = r * columns_ + left;
+      const uint32_t begin = first == 0 ? 0 : end_[first - 1];
+      for (uint32_t k = begin; k < end_[r * columns_ + right]; ++k) {
+        if (predicate(corners_[k])) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  size_t column(double x) const {
+    return std::min(columns_ - 1, static_cast<size_t>(std::max(0.0, (x - low_.x) / size_)));
+  }
+  size_t row(double y) const { return std::min(rows_ - 1, static_cast<size_t>(std::max(0.0, (y - low_.y) / size_))); }
+  size_t cell_of(Vec2 p) const { return row(p.y) * columns_ + column(p.x); }
+
+  Vec2 low_;
+  double size_ = 1;
+  size_t columns_ = 1, rows_ = 1;
+  std::vector<uint32_t> end_, corners_;
+};
+
 /// Cuts ears off one polygon in the plane after another, and keeps its memory.
 class EarCutter {
  public:
@@ -69,7 +154,7 @@ class EarCutter {
     points_ = &points;
     const auto count = static_cast<uint32_t>(points.size());
     corners_.assign(count, {});
-    convex_.assign(count / kWord + 1, 0);
+    convex_.clear(count);
     for (uint32_t c = 0; c < count; ++c) {
       corners_[c].before = c == 0 ? count - 1 : c - 1;
       corners_[c].after = c + 1 == count ? 0 : c + 1;
@@ -80,17 +165,17 @@ class EarCutter {
       measure(c);
       hindrances_ += corners_[c].turn != kConvex;
     }
-    sort_hindrances();
+    cells_.sort(points, hindrances_, [&](uint32_t c) { return corners_[c].turn != kConvex; });
   }
 
   void measure(uint32_t c) {
     PolygonCorner& corner = corners_[c];
     corner.turn = turn_of((*points_)[corner.before], (*points_)[c], (*points_)[corner.after]);
-    if (corner.turn == kConvex) convex_[c / kWord] |= bit(c);
+    if (corner.turn == kConvex) convex_.add(c);
   }
   void forget(uint32_t c) {
     corners_[c].there = false;
-    convex_[c / kWord] &= ~bit(c);
+    convex_.remove(c);
     if (corners_[c].turn != kConvex) --hindrances_;
   }
 
@@ -98,7 +183,7 @@ class EarCutter {
     const auto onwards = [&](uint32_t c) { return backwards ? corners_[c].before : corners_[c].after; };
     uint32_t c = begin;
     for (size_t i = hindrances_; i < left; ++i, c = onwards(c)) {
-      c = nearest_convex(c, backwards);
+      c = convex_.nearest(c, backwards);
       if (is_ear(c)) return c;
     }
     c = begin;
@@ -111,21 +196,6 @@ class EarCutter {
     return c;
   }
 
-  // A bit for each corner that is there and convex: along straight sides of many corners there is none.
-  static constexpr uint32_t kWord = 64;
-  static uint64_t bit(uint32_t c) { return uint64_t{1} << (c % kWord); }
-  /// The first convex corner from one on, of which there is one.
-  uint32_t nearest_convex(uint32_t c, bool backwards) const {
-    const auto words = static_cast<uint32_t>(convex_.size());
-    uint32_t word = c / kWord;
-    uint64_t left = convex_[word] & (backwards ? bit(c) | (bit(c) - 1) : ~(bit(c) - 1));
-    while (left == 0) {
-      word = backwards ? (word == 0 ? words - 1 : word - 1) : (word + 1 == words ? 0 : word + 1);
-      left = convex_[word];
-    }
-    return word * kWord + static_cast<uint32_t>(backwards ? std::bit_width(left) - 1 : std::countr_zero(left));
-  }
-
   bool is_ear(uint32_t c) const {
     if (hindrances_ == 0) return true;
     const PolygonCorner& tip = corners_[c];
@@ -136,65 +206,15 @@ class EarCutter {
       const Vec2 p = (*points_)[other];
       return turn_of(d, a, p) != kConcave && turn_of(a, b, p) != kConcave && turn_of(b, d, p) != kConcave;
     };
-    return !any_in_box(a, b, d, inside);
-  }
-
-  // The corners that are not convex lie in square cells, about one in each, so that an ear is compared with those near
-  // it only.
-  void sort_hindrances() {
-    Vec2 high{};
-    low_ = high = (*points_)[0];
-    for (const Vec2 p : *points_) {
-      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    const double width = high.x - low_.x, height = high.y - low_.y, longest = std::max(width, height);
-    const auto many = static_cast<double>(std::max<size_t>(1, hindrances_));
-    // As many cells as hindrances, whatever the shape of the box.
-    size_ = std::max(std::sqrt(width * height / many), longest / many);
-    if (!(size_ > 0)) size_ = 1;
-    columns_ = static_cast<size_t>(width / size_) + 1;
-    rows_ = static_cast<size_t>(height / size_) + 1;
-    cell_end_.assign(columns_ * rows_ + 1, 0);
-    for (uint32_t c = 0; c < corners_.size(); ++c) {
-      if (corners_[c].turn != kConvex) ++cell_end_[cell_of((*points_)[c]) + 1];
-    }
-    for (size_t k = 1; k < cell_end_.size(); ++k) cell_end_[k] += cell_end_[k - 1];
-    in_cell_.resize(hindrances_);
-    for (uint32_t c = 0; c < corners_.size(); ++c) {
-      if (corners_[c].turn != kConvex) in_cell_[cell_end_[cell_of((*points_)[c])]++] = c;
-    }
-    // Each has moved to its end; what is the end of a cell is now the beginning of the next.
-  }
-  size_t column(double x) const {
-    return std::min(columns_ - 1, static_cast<size_t>(std::max(0.0, (x - low_.x) / size_)));
-  }
-  size_t row(double y) const { return std::min(rows_ - 1, static_cast<size_t>(std::max(0.0, (y - low_.y) / size_))); }
-  size_t cell_of(Vec2 p) const { return row(p.y) * columns_ + column(p.x); }
-
-  template <class Predicate>
-  bool any_in_box(Vec2 a, Vec2 b, Vec2 c, const Predicate& predicate) const {
-    const size_t left = column(std::min({a.x, b.x, c.x})), right = column(std::max({a.x, b.x, c.x}));
-    const size_t top = row(std::max({a.y, b.y, c.y}));
-    for (size_t r = row(std::min({a.y, b.y, c.y})); r <= top; ++r) {
-      const size_t first = r * columns_ + left;
-      const uint32_t begin = first == 0 ? 0 : cell_end_[first - 1];
-      for (uint32_t k = begin; k < cell_end_[r * columns_ + right]; ++k) {
-        if (predicate(in_cell_[k])) return true;
-      }
-    }
-    return false;
+    return !cells_.any_in_box(a, b, d, inside);
   }
 
   const std::vector<Vec2>* points_ = nullptr;
   std::vector<PolygonCorner> corners_;
-  std::vector<uint64_t> convex_;
+  CornerSet convex_;  // and left
   uint32_t first_ = 0;      // a corner that is left
   size_t hindrances_ = 0;   // corners that are left and not convex
-  Vec2 low_;
-  double size_ = 1;
-  size_t columns_ = 1, rows_ = 1;
-  std::vector<uint32_t> cell_end_, in_cell_;
+  CornerCells cells_;       // of the corners that were not convex at first
 };
 
 class PolygonDivision {
