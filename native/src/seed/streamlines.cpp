@@ -18,19 +18,69 @@
 namespace meander {
 namespace {
 
+/// How much there is still to draw, and of which lines: with so much room beside them, and at least so long.
+class LinesLeft {
+ public:
+  LinesLeft(const Surface& s, const RadiusField& radius, const LineSpacing& spacing)
+      : s_(s), spacing_(spacing), wanted_(s.component_count(), 0), drawn_(s.component_count(), 0) {
+    for (uint32_t f = 0; f < s.face_count(); ++f) {
+      const double r = radius.at(s, make_point(f, 1, 1, 1));
+      wanted_[s.component(f)] += spacing.full * s.face_area(f) / (spacing.apart * r * r);
+    }
+  }
+
+  void begin(double apart, double shortest) {
+    apart_ = apart;
+    shortest_ = shortest;
+  }
+  double apart() const { return apart_; }
+  double least_length() const { return shortest_ * spacing_.apart; }
+
+  /// How long another line may be, in r: one that begins between others no longer than what is left to draw.
+  double room(const SurfacePoint& p) const {
+    const uint32_t component = s_.component(p.face);
+    if (apart_ == spacing_.apart) return std::numeric_limits<double>::infinity();
+    return wanted_[component] - drawn_[component] - spacing_.link;
+  }
+  bool is_full(const SurfacePoint& p) const { return room(p) < least_length(); }
+  void take(const SurfacePoint& p, double length) { drawn_[s_.component(p.face)] += length + spacing_.link; }
+
+ private:
+  const Surface& s_;
+  const LineSpacing& spacing_;
+  std::vector<double> wanted_, drawn_;  // per component: length of its lines, in the local r
+  double apart_ = 0, shortest_ = 0;
+};
+
+/// Places that are known to have no room for a line, with what is around them: the last one of each patch.
+class CrowdedPlaces {
+ public:
+  explicit CrowdedPlaces(size_t patches) : of_patch_(patches) {}
+
+  bool reach(const LineNetwork::Node& node) const {
+    const Place& known = of_patch_[node.patch];
+    return (node.place - known.place).norm() < known.around;
+  }
+  void add(const LineNetwork::Node& node, double crowding) {
+    of_patch_[node.patch] = {node.place, kCrowdedAround * crowding};
+  }
+
+ private:
+  struct Place {
+    Vec3 place = Vec3::Zero();
+    double around = 0;
+  };
+  std::vector<Place> of_patch_;
+};
+
 class Drawer {
  public:
   Drawer(const LineField& field, const RadiusField& radius, const LineSpacing& spacing, uint32_t variation,
          LineNetwork& network, ThreadPool& pool, CancelToken poll, std::vector<Streamline>& lines)
       : field_(field), steps_(network.surface(), field), radius_(radius), spacing_(spacing), variation_(variation),
         network_(network), s_(network.surface()), crowding_(spacing, network, lines.size()), pool_(pool), poll_(poll),
-        shortener_(s_), lines_(lines), trunks_(lines.size()), drawn_(s_.component_count(), 0),
-        wanted_(s_.component_count(), 0), crowded_(network.patch_count()) {
-    for (uint32_t f = 0; f < s_.face_count(); ++f) {
-      const double r = radius_.at(s_, make_point(f, 1, 1, 1));
-      wanted_[s_.component(f)] += spacing_.full * s_.face_area(f) / (spacing_.apart * r * r);
-    }
-  }
+        shortener_(s_), lines_(lines), trunks_(lines.size()), left_(s_, radius, spacing),
+        crowded_(network.patch_count()) {}
 
   void draw(std::span<const std::vector<SurfacePoint>> laid) {
     for (const Streamline& trunk : lines_) {
@@ -48,8 +98,7 @@ class Drawer {
 
  private:
   void fill(double apart, double shortest) {
-    apart_ = apart;
-    shortest_ = shortest;
+    left_.begin(apart, shortest);
     draw_beside();
     // In an order that has nothing to do with that of the faces, so that lines begin all over the surface.
     const auto faces = static_cast<uint32_t>(s_.face_count());
@@ -88,26 +137,21 @@ class Drawer {
     constexpr size_t kPlacesAtATime = 32;
     pool_.for_each(places_.size(), kPlacesAtATime, [&](uint32_t k) {
       Place& place = places_[k];
-      if (is_full(place.node.point)) return;
+      if (left_.is_full(place.node.point)) return;
       place.node = network_.make_node(place.node.point, static_cast<uint32_t>(lines_.size()), 0);
-      if (pool_.size() == 1 || is_known(place.node) || network_.beside_boundary(place.node.patch)) return;
-      place.crowding = crowding_.at_start(place.node, apart_, place.node.radius);
+      if (pool_.size() == 1 || crowded_.reach(place.node) || network_.beside_boundary(place.node.patch)) return;
+      place.crowding = crowding_.at_start(place.node, left_.apart(), place.node.radius);
     });
   }
 
-  bool is_known(const LineNetwork::Node& node) const {
-    const Crowded& known = crowded_[node.patch];
-    return (node.place - known.place).norm() < known.around;
-  }
-
   void fill_at(Place& place) {
-    if (is_full(place.node.point)) return;
+    if (left_.is_full(place.node.point)) return;
     LineNetwork::Node& node = place.node;
     node.line = static_cast<uint32_t>(lines_.size());
-    if (is_known(node) || ends_at_once(node)) return;
-    if (place.crowding == kUnknown) place.crowding = crowding_.at_start(node, apart_, node.radius);
+    if (crowded_.reach(node) || ends_at_once(node)) return;
+    if (place.crowding == kUnknown) place.crowding = crowding_.at_start(node, left_.apart(), node.radius);
     if (place.crowding > 0) {
-      crowded_[node.patch] = {node.place, kCrowdedAround * place.crowding};
+      crowded_.add(node, place.crowding);
       return;
     }
     begin_at(node);
@@ -140,22 +184,13 @@ class Drawer {
   }
 
   void fill_between(double apart) {
-    apart_ = apart;
-    shortest_ = kShortestBetween;
+    left_.begin(apart, kShortestBetween);
     for (size_t k = trunks_, before = lines_.size(); k < before; ++k) {
-      if (is_full(network_.nodes()[lines_[k].nodes[0]].point)) continue;
+      if (left_.is_full(network_.nodes()[lines_[k].nodes[0]].point)) continue;
       offer_beside(lines_[k], apart);
       draw_beside();
     }
   }
-
-  /// How long another line may be, in r: one that begins between others no longer than what is left to draw.
-  double room(const SurfacePoint& p) const {
-    const uint32_t component = s_.component(p.face);
-    if (apart_ == spacing_.apart) return std::numeric_limits<double>::infinity();
-    return wanted_[component] - drawn_[component] - spacing_.link;
-  }
-  bool is_full(const SurfacePoint& p) const { return room(p) < shortest_ * spacing_.apart; }
 
   template <class Visit>
   void for_places(uint32_t f, const Visit& visit) const {
@@ -175,9 +210,9 @@ class Drawer {
   void draw_beside() {
     for (; !beside_.empty(); beside_.pop_front()) {
       const SurfacePoint& p = beside_.front();
-      if (is_full(p)) continue;
+      if (left_.is_full(p)) continue;
       const LineNetwork::Node node = network_.make_node(p, static_cast<uint32_t>(lines_.size()), 0);
-      if (!ends_at_once(node) && !(crowding_.at_start(node, apart_, 0) > 0)) begin_at(node);
+      if (!ends_at_once(node) && !(crowding_.at_start(node, left_.apart(), 0) > 0)) begin_at(node);
     }
   }
 
@@ -188,16 +223,16 @@ class Drawer {
     const LineNetwork::Mark mark = network_.mark();
     const uint32_t start = network_.add_node(first);
     Streamline drawn;
-    const double longest = room(p);
+    const double longest = left_.room(p);
     trace(start, -*direction, -1, longest, drawn.nodes);
     std::ranges::reverse(drawn.nodes);
     drawn.nodes.push_back(start);
     const double back = -network_.nodes()[drawn.nodes.front()].arc;
     trace(start, *direction, 1, longest - back, drawn.nodes);
     const double length = network_.nodes()[drawn.nodes.back()].arc + back;
-    if (length < shortest_ * spacing_.apart) return network_.take_back(mark);
-    offer_beside(drawn, apart_);
-    drawn_[s_.component(p.face)] += length + spacing_.link;
+    if (length < left_.least_length()) return network_.take_back(mark);
+    offer_beside(drawn, left_.apart());
+    left_.take(p, length);
     lines_.push_back(std::move(drawn));
   }
 
@@ -217,8 +252,7 @@ class Drawer {
         network_.take_back(mark);
         continue;
       }
-      const uint32_t component = s_.component(node.point.face);
-      drawn_[component] += length + spacing_.link;
+      left_.take(node.point, length);
       lines_.push_back(std::move(drawn));
     }
   }
@@ -297,7 +331,7 @@ class Drawer {
     if (!network_.beside_boundary(first.patch)) return false;
     if (is_too_thin(first)) return true;
     const auto along = steps_.from(first.point);
-    const double least = shortest_ * spacing_.apart;
+    const double least = left_.least_length();
     double length = 0;
     for (const double side : {1.0, -1.0}) {
       auto next = along ? steps_.ahead(first.point, side * *along, spacing_.step * first.radius) : std::nullopt;
@@ -320,16 +354,11 @@ class Drawer {
   ThreadPool& pool_;
   CancelToken poll_;
   PathShortener shortener_;
-  double apart_ = 0, shortest_ = 0;  // of the lines that are drawn
   std::vector<Streamline>& lines_;
-  size_t trunks_;                       // the first of them
-  std::vector<double> drawn_, wanted_;  // per component: length of its lines, in the local r
+  size_t trunks_;  // the first of them
+  LinesLeft left_;
+  CrowdedPlaces crowded_;
   std::deque<SurfacePoint> beside_;
-  struct Crowded {
-    Vec3 place = Vec3::Zero();
-    double around = 0;
-  };
-  std::vector<Crowded> crowded_;  // per patch: places so far from here have no room for a line
   std::vector<Place> places_;
 };
 
