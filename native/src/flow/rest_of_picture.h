@@ -31,7 +31,7 @@ class RestOfPicture {
     std::vector<Vec3> nodes;
     std::vector<uint32_t> next, previous;
   };
-  double mean_distance(const Curve& curve, const std::vector<Vec3>& nodes, const LocalMetric& metric,
+  double mean_distance(const Surface& surface, const Curve& curve, const LocalMetric& metric,
                        ThreadPool& pool) const;
 
   std::optional<Picture> before_;
