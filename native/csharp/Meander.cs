@@ -212,6 +212,33 @@ namespace Meander
         public static extern Status meander_flow_get_history(IntPtr flow, [In, Out] Iteration records, UIntPtr record_size, UIntPtr capacity, [In, Out] UIntPtr[] count, [In, Out] Error error);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status meander_opening_create(out IntPtr opening, [In, Out] Error error);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern void meander_opening_destroy(IntPtr opening);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status meander_opening_start_surface(IntPtr opening, [In, Out] double[] vertices, UIntPtr vertex_count, [In, Out] uint[] faces, UIntPtr face_count, [In, Out] SurfaceOptions options, out IntPtr surface, IntPtr context, [In, Out] Error error);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status meander_opening_start_flow(IntPtr opening, IntPtr surface, [In, Out] Seed seed, [In, Out] double[] density, UIntPtr density_count, [In, Out] FlowOptions options, out IntPtr flow, IntPtr context, [In, Out] Error error);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status meander_opening_start_curvature(IntPtr opening, IntPtr surface, Curvature kind, double smoothing, [In, Out] double[] values, UIntPtr vertex_count, IntPtr context, [In, Out] Error error);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status meander_opening_start_directions(IntPtr opening, IntPtr surface, Directions kind, double smoothing, [In, Out] double[] directions, UIntPtr vertex_count, IntPtr context, [In, Out] Error error);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status meander_opening_start_extent(IntPtr opening, IntPtr surface, [In, Out] double[] density, UIntPtr density_count, [In, Out] Extent extent, IntPtr context, [In, Out] Error error);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern uint meander_opening_is_running(IntPtr opening);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status meander_opening_wait(IntPtr opening, [In, Out] Error error);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status meander_polylines_init([In, Out] Polylines polylines, UIntPtr struct_size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

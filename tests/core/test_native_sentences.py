@@ -216,7 +216,19 @@ def swept(stack: contextlib.ExitStack) -> list[str]:
                     continue
                 found.append(called(function, wrong, kept))
     found.append(called("meander_flow_wait", [fresh._alive()], []))
-    return found + structs(surface._alive())
+    return found + structs(surface._alive()) + openings(surface._alive())
+
+
+def openings(surface: int) -> list[str]:
+    """What is said where nothing is going on in the background, and where something is."""
+    opening, extent = c_void_p(), prepared(abi.ExtentRecord)
+    assert called("meander_opening_create", [byref(opening)], []) == ""
+    start = [opening, surface, None, 0, byref(extent), None]
+    found = [called("meander_opening_wait", [opening], [])]
+    assert called("meander_opening_start_extent", start, []) == ""
+    found.append(called("meander_opening_start_extent", start, []))
+    native().meander_opening_destroy(opening)
+    return found
 
 
 def structs(surface: int) -> list[str]:

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <memory>
 #include <ostream>
 #include <regex>
 #include <set>
@@ -296,6 +297,54 @@ std::vector<Call> surface_calls() {
                      return CALLED(cut_find_places)(&world.cut, 1, nearest, weights, 2, 2, nullptr, nullptr,
                                                     world.indices.data(), world.numbers.data(), nullptr, error);
                    }});
+  return calls;
+}
+
+/// A call that begin(opening, world, error) begins on the library's thread, from the making of an opening to its end.
+Call opened(const std::string& name, std::function<void(World&)> make,
+            std::function<meander_status(meander_opening*, World&, meander_error*)> begin) {
+  return {"opened_" + name, std::move(make), [=](World& world, meander_error* error) {
+            meander_opening* opening = nullptr;
+            meander_status status = CALLED(opening_create)(&opening, error);
+            if (status != MEANDER_STATUS_OK) return status;
+            status = begin(opening, world, error);
+            if (status == MEANDER_STATUS_OK) {
+              CALLED(opening_is_running)(opening);
+              status = CALLED(opening_wait)(opening, error);
+            }
+            CALLED(opening_destroy)(opening);
+            return status;
+          }};
+}
+
+std::vector<Call> opening_calls() {
+  std::vector<Call> calls;
+  calls.push_back(opened("surface", [](World& world) { world.mesh = sphere(1); },
+                         [](meander_opening* opening, World& world, meander_error* error) {
+                           return CALLED(opening_start_surface)(
+                               opening, world.mesh.vertices.data(), world.mesh.vertex_count(),
+                               world.mesh.faces.data(), world.mesh.face_count(), nullptr, &world.surface, nullptr,
+                               error);
+                         }));
+  const auto options = std::make_shared<meander_flow_options>(flow_options(0.5, MEANDER_PRESET_EVEN));
+  calls.push_back(opened("flow", make_ball, [options](meander_opening* opening, World& world, meander_error* error) {
+    options->threads = world.threads;
+    return CALLED(opening_start_flow)(opening, world.surface, nullptr, nullptr, 0, options.get(), &world.flow,
+                                      nullptr, error);
+  }));
+  calls.push_back(opened("curvature", make_ball, [](meander_opening* opening, World& world, meander_error* error) {
+    return CALLED(opening_start_curvature)(opening, world.surface, MEANDER_CURVATURE_MEAN, 0.1, world.numbers.data(),
+                                           world.mesh.vertex_count(), nullptr, error);
+  }));
+  calls.push_back(opened("directions", make_square, [](meander_opening* opening, World& world, meander_error* error) {
+    return CALLED(opening_start_directions)(opening, world.surface, MEANDER_DIRECTIONS_SMOOTH, 0,
+                                            world.numbers.data(), world.mesh.vertex_count(), nullptr, error);
+  }));
+  const auto extent = std::make_shared<meander_extent>(prepared<meander_extent>());
+  calls.push_back(opened("extent", make_square, [extent](meander_opening* opening, World& world,
+                                                         meander_error* error) {
+    return CALLED(opening_start_extent)(opening, world.surface, nullptr, 0, extent.get(), nullptr, error);
+  }));
   return calls;
 }
 
@@ -594,6 +643,7 @@ std::vector<Call> getters() {
 std::string name_of(const testing::TestParamInfo<Call>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, FailingCall, testing::ValuesIn(surface_calls()), name_of);
+INSTANTIATE_TEST_SUITE_P(Openings, FailingCall, testing::ValuesIn(opening_calls()), name_of);
 INSTANTIATE_TEST_SUITE_P(Flows, FailingCall, testing::ValuesIn(flow_calls()), name_of);
 INSTANTIATE_TEST_SUITE_P(Results, FailingCall, testing::ValuesIn(result_calls()), name_of);
 INSTANTIATE_TEST_SUITE_P(Getters, FailingCall, testing::ValuesIn(getters()), name_of);
@@ -614,7 +664,8 @@ std::set<std::string> declared_functions() {
 
 TEST(FailingCalls, AreAllThatTheHeaderDeclares) {
   std::set<std::string> tried;
-  for (const auto& calls : {surface_calls(), flow_calls(), result_calls(), getters(), calls_that_cannot_fail()}) {
+  for (const auto& calls : {surface_calls(), opening_calls(), flow_calls(), result_calls(), getters(),
+                            calls_that_cannot_fail()}) {
     for (const Call& call : calls) {
       World world;
       call.make(world);

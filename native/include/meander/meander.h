@@ -19,6 +19,7 @@
  *     meander_extent_estimate_cost     what a run is going to cost, before it begins
  *     meander_flow_create              seed, spacing, density; nothing moves yet
  *     meander_flow_set_...             what else the curve follows, and where its surface goes
+ *     meander_opening_start_... / wait all of that on a thread of the library
  *     meander_flow_step / run          the flow; cancelled from any thread through a meander_context
  *     meander_flow_start / wait        the same run on a thread of the library, with previews
  *     meander_flow_get_polylines       curve out, at any time between steps
@@ -68,6 +69,7 @@
 #include "fields.h"
 #include "flow_options.h"
 #include "flow.h"
+#include "opening.h"
 #include "curve.h"
 #include "cut.h"
 

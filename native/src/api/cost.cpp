@@ -7,6 +7,7 @@
 
 #include "api/flow_options.h"
 #include "api/guard.h"
+#include "api/lasting.h"
 #include "api/seed.h"
 #include "api/structs.h"
 
@@ -27,21 +28,24 @@ Extent checked_extent(const meander_extent* given, double r) {
 
 }  // namespace
 
+void meander::measure_extent(const meander_surface* surface, const double* density, size_t density_count,
+                             meander_extent* extent) {
+  require(surface != nullptr, "The surface is NULL.");
+  require_struct(extent);
+  const Surface& s = *surface->surface;
+  const Extent inside = measured_extent(s, checked_density(density, density_count, s, surface->map.get()));
+  meander_extent figures{};
+  figures.faces = inside.faces;
+  figures.length_area = inside.length_area * s.scale() * s.scale();
+  figures.node_area = inside.node_area * s.scale() * s.scale();
+  figures.edge_density = inside.edge_density / s.scale();
+  figures.curvature = inside.curvature / s.scale() / s.scale();
+  write_struct(extent, figures);
+}
+
 meander_status meander_surface_measure_extent(const meander_surface* surface, const double* density,
                                               size_t density_count, meander_extent* extent, meander_error* error) {
-  return guard(error, [&] {
-    require(surface != nullptr, "The surface is NULL.");
-    require_struct(extent);
-    const Surface& s = *surface->surface;
-    const Extent inside = measured_extent(s, checked_density(density, density_count, s, surface->map.get()));
-    meander_extent figures{};
-    figures.faces = inside.faces;
-    figures.length_area = inside.length_area * s.scale() * s.scale();
-    figures.node_area = inside.node_area * s.scale() * s.scale();
-    figures.edge_density = inside.edge_density / s.scale();
-    figures.curvature = inside.curvature / s.scale() / s.scale();
-    write_struct(extent, figures);
-  });
+  return guard(error, [&] { measure_extent(surface, density, density_count, extent); });
 }
 
 meander_status meander_extent_estimate_cost(const meander_extent* extent, const meander_flow_options* options,

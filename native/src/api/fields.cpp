@@ -7,6 +7,7 @@
 #include "api/caller_mesh.h"
 #include "api/constants.h"
 #include "api/guard.h"
+#include "api/lasting.h"
 #include "api/offsets.h"
 #include "mesh/fields.h"
 
@@ -81,41 +82,49 @@ VertexData<Vec3> directions_of(const Surface& s, meander_directions kind, double
 
 }  // namespace
 
+void meander::compute_curvature(const meander_surface* surface, meander_curvature kind, double smoothing,
+                                double* values, size_t vertex_count, const CancelToken& cancel) {
+  require(surface != nullptr, "The surface is NULL.");
+  require(kind <= MEANDER_CURVATURE_CURVEDNESS, "The curvature is none of MEANDER_CURVATURE_...");
+  const Surface& s = *surface->surface;
+  const MeshMap* map = surface->map.get();
+  require_vertices(vertex_count, s, map, values);
+  const double radius = checked_smoothing(smoothing, s);
+  const bool gaussian = kind == MEANDER_CURVATURE_GAUSSIAN || kind == MEANDER_CURVATURE_ABSOLUTE_GAUSSIAN;
+  const double unit = gaussian ? 1 / (s.scale() * s.scale()) : 1 / s.scale();
+  cancel.now();
+  const VertexData<double> x = curvature(s, static_cast<CurvatureKind>(kind), radius, cancel);
+  cancel.now();
+  std::fill_n(values, vertex_count, 0.0);
+  for_caller_vertices(s, map, [&](uint32_t theirs, uint32_t v) { values[theirs] = x[v] * unit; });
+}
+
+void meander::compute_directions(const meander_surface* surface, meander_directions kind, double smoothing,
+                                 double* directions, size_t vertex_count, const CancelToken& cancel) {
+  require(surface != nullptr, "The surface is NULL.");
+  require(kind <= MEANDER_DIRECTIONS_BOUNDARY, "The kind is none of MEANDER_DIRECTIONS_...");
+  const Surface& s = *surface->surface;
+  const MeshMap* map = surface->map.get();
+  require_vertices(vertex_count, s, map, directions);
+  const double radius = checked_smoothing(smoothing, s);
+  cancel.now();
+  const VertexData<Vec3> found = directions_of(s, kind, radius, cancel);
+  cancel.now();
+  write(s, map, found, directions);
+}
+
 meander_status meander_surface_compute_curvature(const meander_surface* surface, meander_curvature kind,
                                                  double smoothing, double* values, size_t vertex_count,
                                                  meander_context* context, meander_error* error) {
-  return guard(error, [&] {
-    require(surface != nullptr, "The surface is NULL.");
-    require(kind <= MEANDER_CURVATURE_CURVEDNESS, "The curvature is none of MEANDER_CURVATURE_...");
-    const Surface& s = *surface->surface;
-    const MeshMap* map = surface->map.get();
-    require_vertices(vertex_count, s, map, values);
-    const double radius = checked_smoothing(smoothing, s);
-    const bool gaussian = kind == MEANDER_CURVATURE_GAUSSIAN || kind == MEANDER_CURVATURE_ABSOLUTE_GAUSSIAN;
-    const double unit = gaussian ? 1 / (s.scale() * s.scale()) : 1 / s.scale();
-    check_cancelled(context);
-    const VertexData<double> x = curvature(s, static_cast<CurvatureKind>(kind), radius, cancel_of(context));
-    check_cancelled(context);
-    std::fill_n(values, vertex_count, 0.0);
-    for_caller_vertices(s, map, [&](uint32_t theirs, uint32_t v) { values[theirs] = x[v] * unit; });
-  });
+  return guard(error,
+               [&] { compute_curvature(surface, kind, smoothing, values, vertex_count, cancel_of(context)); });
 }
 
 meander_status meander_surface_compute_directions(const meander_surface* surface, meander_directions kind,
                                                   double smoothing, double* directions, size_t vertex_count,
                                                   meander_context* context, meander_error* error) {
-  return guard(error, [&] {
-    require(surface != nullptr, "The surface is NULL.");
-    require(kind <= MEANDER_DIRECTIONS_BOUNDARY, "The kind is none of MEANDER_DIRECTIONS_...");
-    const Surface& s = *surface->surface;
-    const MeshMap* map = surface->map.get();
-    require_vertices(vertex_count, s, map, directions);
-    const double radius = checked_smoothing(smoothing, s);
-    check_cancelled(context);
-    const VertexData<Vec3> found = directions_of(s, kind, radius, cancel_of(context));
-    check_cancelled(context);
-    write(s, map, found, directions);
-  });
+  return guard(error,
+               [&] { compute_directions(surface, kind, smoothing, directions, vertex_count, cancel_of(context)); });
 }
 
 meander_status meander_surface_compute_stroke_directions(const meander_surface* surface, const double* points,

@@ -10,6 +10,7 @@
 #include "api/flow_options.h"
 #include "api/found.h"
 #include "api/guard.h"
+#include "api/lasting.h"
 #include "api/lent_progress.h"
 #include "api/seed.h"
 
@@ -63,27 +64,34 @@ meander_stop_reason meander::stop_reason_of(const Flow& flow) {
   return MEANDER_STOP_REASON_RUNNING;
 }
 
+std::unique_ptr<meander_flow> meander::new_flow(const meander_surface* surface, const meander_seed* seed,
+                                                const double* density, size_t density_count,
+                                                const meander_flow_options* options, const CancelToken& cancel,
+                                                const Tell& tell) {
+  require(surface != nullptr, "The surface is NULL.");
+  const FlowSettings settings = checked_settings(read_options(options), *surface->surface);
+  const VertexData<double> densities =
+      checked_density(density, density_count, *surface->surface, surface->map.get());
+  cancel.now();
+  check_size(*surface->surface, settings, density_at(densities), surface->map.get());
+  SeedStrands strands;
+  if (seed) strands = checked_seed(seed);
+  strands.max_distance /= surface->surface->scale();
+  auto made = std::make_unique<meander_flow>();
+  made->flow =
+      std::make_unique<Flow>(surface->surface, seed ? &strands : nullptr, densities, settings, cancel, tell);
+  made->map = surface->map;
+  cancel.now();
+  return made;
+}
+
 meander_status meander_flow_create(const meander_surface* surface, const meander_seed* seed, const double* density,
                                    size_t density_count, const meander_flow_options* options, meander_flow** flow,
                                    meander_context* context, meander_error* error) {
   return guard(error, [&] {
-    require(surface != nullptr, "The surface is NULL.");
     require(flow != nullptr, "The pointer for the flow is NULL.");
-    const FlowSettings settings = checked_settings(read_options(options), *surface->surface);
-    const VertexData<double> densities =
-        checked_density(density, density_count, *surface->surface, surface->map.get());
-    check_cancelled(context);
-    check_size(*surface->surface, settings, density_at(densities), surface->map.get());
-    SeedStrands strands;
-    if (seed) strands = checked_seed(seed);
-    strands.max_distance /= surface->surface->scale();
-    auto made = std::make_unique<meander_flow>();
     const LentProgress lent(context);
-    made->flow = std::make_unique<Flow>(surface->surface, seed ? &strands : nullptr, densities, settings,
-                                        cancel_of(context), lent.tell());
-    made->map = surface->map;
-    check_cancelled(context);
-    *flow = made.release();
+    *flow = new_flow(surface, seed, density, density_count, options, cancel_of(context), lent.tell()).release();
   });
 }
 

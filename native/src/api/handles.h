@@ -25,3 +25,11 @@ struct meander_flow {
   std::shared_ptr<const meander::MeshMap> map;  // of its surface
   meander::Job job;  // after the flow, so that it is joined before the flow goes
 };
+
+struct meander_opening {
+  std::unique_ptr<meander_surface> surface;  // what has been made, until it is handed out
+  std::unique_ptr<meander_flow> flow;
+  meander_surface** surface_place = nullptr;  // of the caller's; null: none is being made
+  meander_flow** flow_place = nullptr;
+  meander::Job job;  // last, so that it is joined before the rest goes
+};

@@ -4,28 +4,37 @@
 #include <span>
 
 #include "api/guard.h"
+#include "api/lasting.h"
 #include "api/lent_progress.h"
 #include "api/preparation.h"
 #include "api/structs.h"
 
 using namespace meander;
 
+std::unique_ptr<meander_surface> meander::new_surface(const double* vertices, size_t vertex_count,
+                                                      const uint32_t* faces, size_t face_count,
+                                                      const meander_surface_options* options,
+                                                      const CancelToken& cancel, const Tell& tell) {
+  require_mesh(vertices, vertex_count, faces, face_count);
+  meander_surface_options o{};
+  if (options) {
+    require_struct(options);
+    o = read_struct(options);
+  }
+  cancel.now();
+  auto made =
+      prepared_surface(std::span(vertices, 3 * vertex_count), std::span(faces, 3 * face_count), o, cancel, tell);
+  cancel.now();
+  return made;
+}
+
 meander_status meander_surface_create(const double* vertices, size_t vertex_count, const uint32_t* faces,
                                       size_t face_count, const meander_surface_options* options,
                                       meander_surface** surface, meander_context* context, meander_error* error) {
   return guard(error, [&] {
     require(surface != nullptr, "The pointer for the surface is NULL.");
-    require_mesh(vertices, vertex_count, faces, face_count);
-    meander_surface_options o{};
-    if (options) {
-      require_struct(options);
-      o = read_struct(options);
-    }
-    check_cancelled(context);
     const LentProgress lent(context);
-    auto made = prepared_surface(std::span(vertices, 3 * vertex_count), std::span(faces, 3 * face_count), o,
-                                 cancel_of(context), lent.tell());
-    check_cancelled(context);
+    auto made = new_surface(vertices, vertex_count, faces, face_count, options, cancel_of(context), lent.tell());
     *surface = made.release();
   });
 }

@@ -18,7 +18,7 @@ void Job::start(Flow&, std::shared_ptr<RunControl>) {
 
 void Job::search(Search, std::shared_ptr<RunControl>) {
   throw Failure(FailureKind::kInvalidArgument,
-                "This library has no threads of its own; call the functions that find one thing each.");
+                "This library has no threads of its own; call the functions that do one thing each.");
 }
 
 StopReason Job::wait() { return reason_; }  // of no run, which the caller has checked
