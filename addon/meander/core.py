@@ -15,6 +15,11 @@ This is the door. Behind it is the room `binding`, and nothing else knows ctypes
         preview = flow.preview()                 the curve as it grows; None: nothing new
     reason = flow.wait()
 
+    begun = Surface.work(vertices, faces).begin(context)    likewise what lasts before a run
+    while begun.running:
+        ...
+    surface = begun.result()
+
 Lengths are in the units of the vertices; indices are zero-based. Everything that goes wrong is a
 `MeanderError` whose text is one sentence for people. Calls into the library release the GIL. What
 lasts in the main thread is cancelled by an interruption from the keyboard (`binding/interruption`).
@@ -73,7 +78,9 @@ from .binding.native_library import (
 )
 from .binding.seed import Seed
 from .binding.spacing import area_of, automatic_spacing, spacing_for
-from .binding.surface import Surface, SurfaceOptions
+from .binding.surface import Surface
+from .binding.surface_options import SurfaceOptions
+from .binding.work import Begun, Work
 
 # What hosts use; they import nothing else of these modules.
 __all__ = [
@@ -90,6 +97,7 @@ __all__ = [
     "STATUS_NO_LIBRARY",
     "STOP_REASONS",
     "VERSION",
+    "Begun",
     "BoundaryRule",
     "Closest",
     "Context",
@@ -117,6 +125,7 @@ __all__ = [
     "SurfaceOptions",
     "Text",
     "TextPolygons",
+    "Work",
     "area_of",
     "automatic_spacing",
     "cut_places",

@@ -467,13 +467,13 @@ def test_a_run_whose_surface_was_deleted_can_be_resumed_after_undo():
 @pytest.fixture
 def flows(monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
     """How many of the flows that a test makes are alive."""
-    made, opened = weakref.WeakSet(), core.Flow.__init__
+    made, begun = weakref.WeakSet(), core.Flow._begin_life
 
-    def noted(flow: core.Flow, *arguments, **options) -> None:
-        opened(flow, *arguments, **options)
+    def noted(flow: core.Flow) -> None:
+        begun(flow)
         made.add(flow)
 
-    monkeypatch.setattr(core.Flow, "__init__", noted)
+    monkeypatch.setattr(core.Flow, "_begin_life", noted)
 
     def alive() -> int:
         gc.collect()

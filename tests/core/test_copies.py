@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 from flows import options_of
 from meander import core
-from meander.model.copies import Copies, copies_of
+from meander.model.copies import Copies, copying
 from meander.model.opening import open_flow
 from meander.model.problem import Problem
+from meander.model.steps import at_once
 from meander.model.whole import Whole, whole_of
 
 SPACING = 0.35
@@ -184,12 +185,12 @@ def test_what_has_strands_elsewhere_or_shared_faces_is_taken_as_it_is() -> None:
     problem = problem_of(bodies)
     points = np.array([[0.0, 0, 1], [4.1, 0, 1], [0.1, 0.1, 1]])
     seed = core.Seed(points, np.array([0, 3], np.uint32), np.array([1], np.uint8), max_distance=9.0)
-    assert copies_of(replace(problem, seed=seed)) is None
-    assert copies_of(replace(problem, copies=problem.copies[:1])) is None
-    assert copies_of(replace(problem, copies=problem.copies + [1, -1])) is None
-    assert copies_of(replace(problem, copies=None)) is None
+    assert at_once(copying(replace(problem, seed=seed))) is None
+    assert at_once(copying(replace(problem, copies=problem.copies[:1]))) is None
+    assert at_once(copying(replace(problem, copies=problem.copies + [1, -1]))) is None
+    assert at_once(copying(replace(problem, copies=None))) is None
     with pytest.raises(core.MeanderError, match="fill the mesh again"):
-        copies_of(problem).density_of(np.ones(len(problem.vertices)))
+        at_once(copying(problem)).density_of(np.ones(len(problem.vertices)))
 
 
 def test_many_copies_are_as_many_threads_have_them() -> None:

@@ -24,8 +24,9 @@ from meander.model.estimate import (
     hanging_in_words,
 )
 from meander.model.geometry.reflection import mirror_of
-from meander.model.mirror import halved
+from meander.model.mirror import halving
 from meander.model.problem import Problem
+from meander.model.steps import at_once
 
 # What is shown is rounded to two digits; nobody decides anything by a tenth.
 WITHIN = 0.15
@@ -203,7 +204,7 @@ def test_with_symmetry_only_one_half_takes_its_time(preset):
     assert (symmetric.points, symmetric.memory) == (whole.points, whole.memory)
     problem = Problem(vertices, faces, options, mirror=mirror_of("x", None))
     told = []
-    half = halved(problem, accept=told.append)
+    half = at_once(halving(problem, accept=told.append))
     assert told == [half.cost]
     assert half.cost.nodes == pytest.approx(cost_of(extent, options).nodes, rel=1e-6)
     seconds = cost_of(extent, options, True).processor_seconds

@@ -99,13 +99,15 @@ def test_what_a_surface_was_made_of_is_its_own() -> None:
 def test_a_flow_and_a_context_refuse(name: str) -> None:
     with core.Surface(*geometry.grid(8)) as surface, core.Flow(surface, options()) as flow:
         with core.Context() as context:
-            for handle in (flow, context):
+            begun = core.Surface.work(*geometry.grid(8)).begin(context)
+            for handle in (flow, context, begun):
                 with pytest.raises(core.MeanderError) as caught:
                     COPIES[name](handle)
                 assert_sentence(str(caught.value))
                 assert "make a new one" in str(caught.value)
+            begun.result().close()
             assert flow.step(context) == "running"
-    for closed in (flow, context):
+    for closed in (flow, context, begun):
         with pytest.raises(core.MeanderError):
             COPIES[name](closed)
 
@@ -115,7 +117,7 @@ def test_all_handles_are_tried_here() -> None:
         return {kind.__name__}.union(*(below(sub) for sub in kind.__subclasses__()))
 
     found = below(core.Surface.__base__) - {"Handle", "FlowRun", "Named"}
-    assert found == {"Surface", "Flow", "Context"}
+    assert found == {"Surface", "Flow", "Context", "Begun"}
 
 
 PROGRAM = """

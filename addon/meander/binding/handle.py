@@ -5,13 +5,11 @@ from __future__ import annotations
 
 import weakref
 from collections.abc import Callable
-from ctypes import byref, c_void_p
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .calls import call
 from .errors import MeanderError
 
 _Owner = TypeVar("_Owner", bound="Handle")
@@ -85,21 +83,6 @@ def chosen(what: str, value: str, choices: tuple[str, ...]) -> int:
     if value not in choices:
         raise MeanderError(f"there is no {what} {value!r}; choose one of {', '.join(choices)}")
     return choices.index(value)
-
-
-def created(
-    create: Callable[..., int], destroy: Callable[[int], None], *arguments: Any, context: Any
-) -> int:
-    """The pointer that a function of the library's hands out behind these arguments and before a
-    context. Nothing is left of it where that is interrupted."""
-    pointer = c_void_p()
-    try:
-        call(create, *arguments, byref(pointer), context)
-    except BaseException:
-        if pointer.value is not None:
-            destroy(pointer.value)
-        raise
-    return pointer.value
 
 
 class Handle:

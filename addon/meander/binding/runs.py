@@ -7,7 +7,7 @@ import logging
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
-from ctypes import byref
+from ctypes import byref, c_void_p
 from dataclasses import replace
 from typing import Any
 
@@ -25,13 +25,14 @@ from .context import Context, pointer_of
 from .curve import Preview, polylines_of
 from .errors import MeanderError
 from .flow_options import FlowOptions, options_record
-from .handle import Handle, address_of, checked_array, chosen, created
+from .handle import Handle, address_of, checked_array, chosen
 from .interruption import heard
 from .named import number_of, refuse_other, whole_of
 from .native_library import native
 from .seed import Seed, seed_record
 from .spacing import automatic_spacing
 from .surface import Surface
+from .work import Work
 
 
 class FlowRun(Handle):
@@ -47,6 +48,26 @@ class FlowRun(Handle):
         density: ArrayLike | None = None,
         context: Context | None = None,
     ) -> None:
+        self._making(surface, options, seed, density).now(context)
+
+    @classmethod
+    def work(
+        cls,
+        surface: Surface,
+        options: FlowOptions,
+        seed: Seed | None = None,
+        density: ArrayLike | None = None,
+    ) -> Work[Any]:
+        """A flow that is still to be made, on a thread of the library's if need be."""
+        return cls.__new__(cls)._making(surface, options, seed, density)
+
+    def _making(
+        self,
+        surface: Surface,
+        options: FlowOptions,
+        seed: Seed | None,
+        density: ArrayLike | None,
+    ) -> Work[Any]:
         refuse_other("surface", surface, Surface, "make one of the vertices and faces")
         density_array = None
         if density is not None:
@@ -56,23 +77,33 @@ class FlowRun(Handle):
                     f"density must have one value for each of the {surface.vertex_count} vertices "
                     f"of the surface, not {len(density_array)}"
                 )
-        # The arrays behind the record must outlive the call, hence the second name.
+        # The arrays behind the record must outlive the call.
         start, seed_arrays = (None, ()) if seed is None else seed_record(seed)
         record = options_record(_with_spacing(options, surface))
-        library = native()
-        with pointer_of(context) as cancelling:
-            pointer = created(
-                library.meander_flow_create,
-                library.meander_flow_destroy,
+        pointer, destroy = c_void_p(), native().meander_flow_destroy
+
+        def made() -> FlowRun:
+            Handle.__init__(self, pointer.value, destroy)
+            self._begin_life()
+            return self
+
+        return Work(
+            "flow_create",
+            "flow",
+            (
                 surface._alive(),
                 None if start is None else byref(start),
                 address_of(density_array),
                 0 if density_array is None else len(density_array),
                 byref(record),
-                context=cancelling,
-            )
-        del seed_arrays
-        super().__init__(pointer, library.meander_flow_destroy)
+                byref(pointer),
+            ),
+            made,
+            undo=lambda: destroy(pointer),
+            holds=(surface, density_array, seed_arrays),
+        )
+
+    def _begin_life(self) -> None:
         self._busy = threading.Lock()
         self._left_alone = False  # by an interruption, while a call went on
         self._cancel: Callable[[], None] | None = None  # of the run that was started last

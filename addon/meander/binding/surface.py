@@ -4,8 +4,7 @@
 from __future__ import annotations
 
 import copy
-from ctypes import byref
-from dataclasses import dataclass
+from ctypes import byref, c_void_p
 from typing import Any
 
 import numpy as np
@@ -14,7 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 from .abi import (
     ExtentRecord,
     OutlinesRecord,
-    SurfaceOptionsRecord,
     SurfaceStatisticsRecord,
 )
 from .calls import Found, call, figures_of, prepared
@@ -23,104 +21,13 @@ from .context import Context, pointer_of
 from .cost import Extent
 from .elsewhere import mesh_arrays
 from .errors import MeanderError
-from .handle import Handle, address_of, as_array, checked_array, chosen, created, narrow_offsets
+from .handle import Handle, address_of, checked_array, chosen, narrow_offsets
 from .mesh_search import Closest, _closest
-from .named import number_of, only_its_names, refuse_other, switch_of, whole_of
+from .named import number_of, whole_of
 from .native_library import native
 from .seed import Seed
-
-
-@only_its_names
-@dataclass
-class SurfaceOptions:
-    """What to do with a mesh before it is checked; see meander_surface_options.
-
-    As it is made, nothing is done, and the check is strict.
-
-    merge_distance    vertices this near to another become one; 0: none
-    drop_degenerate   faces without area are dissolved, doubled ones dropped
-    split_bow_ties    a vertex where fans of faces meet becomes one for each
-    cut_non_manifold  edges with more than two faces become boundaries of each
-    face_mask         (m,) bool: faces that are False are left out; None: all are in
-    vertex_mask       (n,) float64: what lies below mask_threshold is cut away, also across faces
-    make_manifold     what keeps faces from being a surface is parted there, so that the faces which
-                      continue each other stay joined
-    weld_distance     boundary edges that lie this near to each other become one; 0: none
-    smallest_part     components whose bounding box has a smaller diagonal are left out; 0: none
-    drop_doubled      of polygons with outlines in the same place one is kept
-    polygons          (m,) uint32: of which polygon each face is a part; None: faces in one plane
-                      that continue each other are one, for all that is known
-    """
-
-    merge_distance: float = 0.0
-    drop_degenerate: bool = False
-    split_bow_ties: bool = False
-    cut_non_manifold: bool = False
-    face_mask: NDArray[np.bool_] | None = None
-    vertex_mask: NDArray[np.float64] | None = None
-    mask_threshold: float = 0.0
-    make_manifold: bool = False
-    weld_distance: float = 0.0
-    smallest_part: float = 0.0
-    drop_doubled: bool = False
-    polygons: NDArray[np.uint32] | None = None
-
-    def __init__(
-        self,
-        merge_distance: float = 0.0,
-        drop_degenerate: bool = False,
-        split_bow_ties: bool = False,
-        cut_non_manifold: bool = False,
-        face_mask: ArrayLike | None = None,
-        vertex_mask: ArrayLike | None = None,
-        mask_threshold: float = 0.0,
-        make_manifold: bool = False,
-        weld_distance: float = 0.0,
-        smallest_part: float = 0.0,
-        drop_doubled: bool = False,
-        polygons: ArrayLike | None = None,
-    ) -> None:
-        self.merge_distance, self.weld_distance = merge_distance, weld_distance
-        self.drop_degenerate, self.split_bow_ties = drop_degenerate, split_bow_ties
-        self.cut_non_manifold, self.make_manifold = cut_non_manifold, make_manifold
-        self.face_mask, self.polygons = as_array(face_mask), as_array(polygons)
-        self.vertex_mask, self.mask_threshold = as_array(vertex_mask), mask_threshold
-        self.smallest_part, self.drop_doubled = smallest_part, drop_doubled
-
-
-_SWITCHES = "drop_degenerate split_bow_ties cut_non_manifold make_manifold drop_doubled".split()
-_NUMBERS = ("merge_distance", "weld_distance", "smallest_part", "mask_threshold")
-
-
-def _surface_options_record(
-    options: SurfaceOptions, vertex_count: int, face_count: int
-) -> tuple[SurfaceOptionsRecord, tuple[NDArray[Any], ...]]:
-    """The C struct of the options, and the arrays that it points to."""
-    refuse_other("options", options, SurfaceOptions)
-    record = prepared(SurfaceOptionsRecord)
-    for names, read in ((_SWITCHES, switch_of), (_NUMBERS, number_of)):
-        for name in names:
-            setattr(record, name, read(f"option {name}", getattr(options, name)))
-    arrays: list[NDArray[Any]] = []
-    for name, dtype, count, element in (
-        ("face_mask", np.uint8, face_count, "faces"),
-        ("polygons", np.uint32, face_count, "faces"),
-        ("vertex_mask", np.float64, vertex_count, "vertices"),
-    ):
-        value = getattr(options, name)
-        if value is None:
-            continue
-        array = checked_array(name, value, dtype, None)
-        if len(array) != count:
-            raise MeanderError(
-                f"{name} must have one value for each of the {count} {element} of the mesh, not "
-                f"{len(array)}"
-            )
-        arrays.append(array)
-        setattr(record, name, address_of(array))
-        setattr(record, f"{name}_count", len(array))
-    return record, tuple(arrays)
-
+from .surface_options import SurfaceOptions, surface_options_record
+from .work import Work
 
 # Figures that reports know by another name than the C header.
 _FIGURES = {"flipped_faces": "turned_faces"}
@@ -155,28 +62,57 @@ class Surface(Handle):
         threads: int = 0,
         context: Context | None = None,
     ) -> None:
+        self._making(vertices, faces, options, threads).now(context)
+
+    @classmethod
+    def work(
+        cls,
+        vertices: ArrayLike | Any,
+        faces: ArrayLike | None = None,
+        options: SurfaceOptions | None = None,
+        threads: int = 0,
+    ) -> Work[Surface]:
+        """A surface that is still to be made, on a thread of the library's if need be."""
+        return cls.__new__(cls)._making(vertices, faces, options, threads)
+
+    def _making(
+        self,
+        vertices: ArrayLike | Any,
+        faces: ArrayLike | None,
+        options: SurfaceOptions | None,
+        threads: int,
+    ) -> Work[Surface]:
         vertex_array, face_array = mesh_arrays(vertices, faces)
-        library = native()
-        record, arrays = _surface_options_record(
+        # The arrays behind the record must outlive the call.
+        record, arrays = surface_options_record(
             SurfaceOptions() if options is None else options, len(vertex_array), len(face_array)
         )
         record.threads = whole_of("number of threads", threads)
-        with pointer_of(context) as cancelling:
-            pointer = created(
-                library.meander_surface_create,
-                library.meander_surface_destroy,
+        pointer, destroy = c_void_p(), native().meander_surface_destroy
+
+        def made() -> Surface:
+            Handle.__init__(self, pointer.value, destroy)
+            self.vertex_count = len(vertex_array)
+            # Copies: the caller may write to theirs.
+            copies = vertex_array.copy(), face_array.copy(), copy.deepcopy(options)
+            self._made_of = (*copies, threads)
+            return self
+
+        return Work(
+            "surface_create",
+            "surface",
+            (
                 address_of(vertex_array),
                 len(vertex_array),
                 address_of(face_array),
                 len(face_array),
                 byref(record),
-                context=cancelling,
-            )
-        del arrays
-        super().__init__(pointer, library.meander_surface_destroy)
-        self.vertex_count = len(vertex_array)
-        # Copies: the caller may write to theirs.
-        self._made_of = (vertex_array.copy(), face_array.copy(), copy.deepcopy(options), threads)
+                byref(pointer),
+            ),
+            made,
+            undo=lambda: destroy(pointer),
+            holds=arrays,
+        )
 
     def __reduce__(self) -> Any:
         self._alive()
@@ -210,21 +146,26 @@ class Surface(Handle):
 
         Raises MeanderError for a density that is not positive or of another length.
         """
+        return self.extent_work(density).now()
+
+    def extent_work(self, density: ArrayLike | None = None) -> Work[Extent]:
+        """`extent`, to be measured."""
         values = None if density is None else checked_array("density", density, np.float64, None)
         record = prepared(ExtentRecord)
-        call(
-            native().meander_surface_measure_extent,
-            self._alive(),
-            address_of(values),
-            0 if values is None else len(values),
-            byref(record),
-        )
-        return Extent(
-            record.faces,
-            record.length_area,
-            record.node_area,
-            record.edge_density,
-            record.curvature,
+
+        def measured() -> Extent:
+            return Extent(
+                record.faces,
+                record.length_area,
+                record.node_area,
+                record.edge_density,
+                record.curvature,
+            )
+
+        count = 0 if values is None else len(values)
+        arguments = (self._alive(), address_of(values), count, byref(record))
+        return Work(
+            "surface_measure_extent", "extent", arguments, measured, holds=values, cancelled=False
         )
 
     def find_closest(
@@ -279,19 +220,19 @@ class Surface(Handle):
         Raises MeanderError for an unknown kind and a radius larger than the mesh, and soon after
         `context` has been cancelled.
         """
-        values = np.empty(self.vertex_count)
+        return self.curvature_work(kind, smoothing).now(context)
+
+    def curvature_work(self, kind: str, smoothing: float = 0.0) -> Work[NDArray[np.float64]]:
+        """`curvature`, to be computed."""
         number = chosen("kind of curvature", kind, CURVATURES)
-        with pointer_of(context) as cancelling:
-            call(
-                native().meander_surface_compute_curvature,
-                self._alive(),
-                number,
-                number_of("smoothing", smoothing),
-                address_of(values),
-                len(values),
-                cancelling,
-            )
-        return values
+        return self._field_work("curvature", number, smoothing, np.empty(self.vertex_count))
+
+    def _field_work(
+        self, what: str, kind: int, smoothing: float, values: NDArray[np.float64]
+    ) -> Work[NDArray[np.float64]]:
+        length = number_of("smoothing", smoothing)
+        arguments = (self._alive(), kind, length, address_of(values), len(values))
+        return Work(f"surface_compute_{what}", what, arguments, lambda: values)
 
     def directions(
         self, kind: str, smoothing: float = 0.0, context: Context | None = None
@@ -305,19 +246,12 @@ class Surface(Handle):
         Raises MeanderError for an unknown kind and a radius larger than the mesh, and soon after
         `context` has been cancelled.
         """
-        directions = np.empty((self.vertex_count, 3))
+        return self.directions_work(kind, smoothing).now(context)
+
+    def directions_work(self, kind: str, smoothing: float = 0.0) -> Work[NDArray[np.float64]]:
+        """`directions`, to be computed."""
         number = chosen("kind of directions", kind, DIRECTIONS)
-        with pointer_of(context) as cancelling:
-            call(
-                native().meander_surface_compute_directions,
-                self._alive(),
-                number,
-                number_of("smoothing", smoothing),
-                address_of(directions),
-                len(directions),
-                cancelling,
-            )
-        return directions
+        return self._field_work("directions", number, smoothing, np.empty((self.vertex_count, 3)))
 
     def turned_directions(
         self, directions: ArrayLike, angles: ArrayLike, context: Context | None = None

@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from .field import FieldOn, evaluated
+from .field import Computed, FieldOn, evaluating
+from .steps import Steps
 
 # Per vertex (n, 3), or what computes them from the surface once that exists.
 Directions = NDArray[np.float64] | FieldOn
@@ -93,15 +94,15 @@ def axis_on(
 def computed(kind: str, smoothing: float = 0.0) -> Directions:
     """Directions that the library computes: one of core.DIRECTIONS."""
 
-    def on(surface: core.Surface, context: core.Context | None = None) -> NDArray[np.float64]:
+    def on(surface: core.Surface) -> Steps[NDArray[np.float64]]:
         # Averaging over more than the mesh is no mistake worth stopping for.
         smoothing_here = min(smoothing, surface.statistics()["diagonal"])
-        lines = surface.directions(kind, smoothing_here, context)
+        lines = yield surface.directions_work(kind, smoothing_here)
         if not lines.any():
             raise core.MeanderError(_nowhere(kind, surface))
         return lines
 
-    return on
+    return Computed(on)
 
 
 def _nowhere(kind: str, surface: core.Surface) -> str:
@@ -122,11 +123,11 @@ def _nowhere(kind: str, surface: core.Surface) -> str:
 def turned(directions: Directions, degrees: NDArray[np.float64]) -> Directions:
     """Directions, each turned in the surface by degrees of its own, per vertex."""
 
-    def on(surface: core.Surface, context: core.Context | None = None) -> NDArray[np.float64]:
-        lines = evaluated(directions, surface, context)
-        return surface.turned_directions(lines, np.radians(degrees), context)
+    def on(surface: core.Surface) -> Steps[NDArray[np.float64]]:
+        lines = yield from evaluating(directions, surface)
+        return surface.turned_directions(lines, np.radians(degrees))
 
-    return on
+    return Computed(on)
 
 
 def uv_lines(

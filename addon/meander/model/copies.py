@@ -21,6 +21,7 @@ from .geometry.congruence import Congruent, congruent
 from .geometry.thinning import kept_points, with_points
 from .mirror import at_rest
 from .problem import Problem
+from .steps import Steps
 
 # Copies are alike where turned and moved ones differ by less than this, in their sizes and in r.
 _ALIKE, _ALIKE_IN_R = 1e-4, 1e-2
@@ -128,11 +129,9 @@ class Copies:
         return found, guides[strands]
 
 
-def copies_of(
-    problem: Problem,
-    context: core.Context | None = None,
-    accept: Callable[[core.Cost], None] | None = None,
-) -> Copies | None:
+def copying(
+    problem: Problem, accept: Callable[[core.Cost], None] | None = None
+) -> Steps[Copies | None]:
     """The copies of a problem that has some; None where it is solved as it is: where faces join
     several, or a strand of the seed lies on none of them.
 
@@ -172,11 +171,12 @@ def copies_of(
             given, given, middles, places, cell, counts, alike, None, 1.0, {}, None
         )
     options = problem.options
-    with core.Surface(
-        given.vertices, given.faces, given.surface_options, options.threads, context
-    ) as surface:
+    surface = yield core.Surface.work(
+        given.vertices, given.faces, given.surface_options, options.threads
+    )
+    with surface:
         figures = surface.statistics()
-        cost = cost_of(surface.extent(None), options)
+        cost = cost_of((yield surface.extent_work()), options)
     if accept is not None:
         accept(cost)
     kept = np.unique(alike.sources)

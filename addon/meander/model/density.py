@@ -16,8 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from .field import FieldOn
+from .field import Computed, FieldOn
 from .picture.tone import Tone, levels_of, lightness, of_lightness
+from .steps import Steps
 
 Values = NDArray[np.float64]
 
@@ -168,15 +169,15 @@ def curvature_density(choice: Choice, radius: float) -> FieldOn:
     millionth of what the size of the surface gives are those of a flat one.
     """
 
-    def on(surface: core.Surface, context: core.Context | None = None) -> Values:
+    def on(surface: core.Surface) -> Steps[Values]:
         diagonal = surface.statistics()["diagonal"]
         smoothing = min(choice.smoothing * radius, diagonal)
-        values = surface.curvature(f"absolute_{choice.name}", smoothing, context)
+        values = yield surface.curvature_work(f"absolute_{choice.name}", smoothing)
         noise = 1e-6 / diagonal ** (2 if choice.name == "gaussian" else 1)
         values[values < noise] = 0.0
         return choice.density(values)
 
-    return on
+    return Computed(on)
 
 
 def luminance(colors: NDArray[np.floating]) -> Values:

@@ -18,12 +18,13 @@ from numpy.typing import NDArray
 
 from .. import core
 from .estimate import cost_of
-from .field import evaluated
+from .field import evaluating
 from .geometry.facing_tips import kept_of
 from .geometry.half_mesh import HalfMesh, above
 from .geometry.reflection import Mirror
 from .mirror_images import Images, images_of
 from .problem import Problem
+from .steps import Steps
 
 # So far from the plane the half ends, in spacings: nothing on its boundary meets its own image.
 _INSET = 0.01
@@ -94,11 +95,11 @@ class Half:
         return replace(found, alignment_weight=self.led) if self.led else found
 
 
-def halved(
+def halving(
     problem: Problem,
     context: core.Context | None = None,
     accept: Callable[[core.Cost], None] | None = None,
-) -> Half:
+) -> Steps[Half]:
     """The half of a problem with a mirror; see opening.open_flow().
 
     Raises core.MeanderError with one sentence for a surface that is not its own mirror image, and
@@ -107,12 +108,12 @@ def halved(
     _refuse(problem)
     options = problem.options
 
-    def surface_of(of: Problem) -> core.Surface:
-        return core.Surface(of.vertices, of.faces, of.surface_options, options.threads, context)
+    def surface_of(of: Problem) -> core.Work[core.Surface]:
+        return core.Surface.work(of.vertices, of.faces, of.surface_options, options.threads)
 
-    with surface_of(problem) as surface:  # it names the faults of a mesh that is none
-        density = evaluated(problem.density, surface, context)
-        directions = evaluated(problem.directions, surface, context)
+    with (yield surface_of(problem)) as surface:  # it names the faults of a mesh that is none
+        density = yield from evaluating(problem.density, surface, context)
+        directions = yield from evaluating(problem.directions, surface, context)
         before = surface.statistics()
         kept = _once(problem, surface, context) if before["doubled_faces"] else None
     mirror = _side(problem)
@@ -125,16 +126,16 @@ def halved(
         masked = True if prepared.face_mask is None else np.asarray(prepared.face_mask, dtype=bool)
         prepared = replace(prepared, face_mask=kept & masked)
     given = replace(problem, density=density, surface_options=prepared, mirror=None)
-    with surface_of(given) as surface:
+    with (yield surface_of(given)) as surface:
         figures = surface.statistics()
         if kept is not None:
             # What was left out here as a part is a double still.
             figures |= {name: before[name] for name in ("doubled_faces", "dropped_faces")}
             figures["masked_faces"] = before["masked_faces"]
-        cost = cost_of(surface.extent(density), options, symmetric=True)
+        cost = cost_of((yield surface.extent_work(density)), options, symmetric=True)
         if accept is not None:
             accept(cost)
-        fit = _fit(surface, given, context)
+        fit = yield from _fitting(surface, given)
     of_half = _at_boundaries(options, figures)
     mesh = _cut(given, mirror, density, of_half.boundary_distance)
     half_seed, sources = half_of_seed(problem.seed, mirror.heights, options.radius)
@@ -215,11 +216,12 @@ def _side(problem: Problem) -> Mirror:
     return replace(mirror, normal=-mirror.normal)
 
 
-def _fit(surface: core.Surface, given: Problem, context: core.Context | None) -> dict[str, Any]:
+def _fitting(surface: core.Surface, given: Problem) -> Steps[dict[str, Any]]:
     """How a seed lies on the whole surface; raises what is wrong with it."""
     if given.seed is None:
         return {}
-    with core.Flow(surface, at_rest(given.options), given.seed, given.density, context) as flow:
+    work = core.Flow.work(surface, at_rest(given.options), given.seed, given.density)
+    with (yield work) as flow:
         return {key: value for key, value in flow.statistics().items() if key.startswith("seed_")}
 
 

@@ -10,11 +10,12 @@ from typing import Any
 import numpy as np
 
 from .. import core
-from .copies import Copies, copies_of
-from .field import evaluated
-from .mirror import Half, halved
+from .copies import Copies, copying
+from .field import evaluating
+from .mirror import Half, halving
 from .preparation import outlined
 from .problem import Problem
+from .steps import Steps, at_once
 
 
 @dataclass(frozen=True)
@@ -53,35 +54,46 @@ def open_flow(
     accept   is told what the run is expected to cost, before there is any curve, and raises what it
              likes where that is too much
     """
+    return at_once(opening(problem, context, accept), context)
+
+
+def opening(
+    problem: Problem,
+    context: core.Context | None = None,
+    accept: Callable[[core.Cost], None] | None = None,
+) -> Steps[Opened]:
+    """open_flow() in steps."""
     if problem.mirror is not None:
-        half = halved(problem, context, accept)
-        opened = open_flow(half.problem, context)
+        half = yield from halving(problem, context, accept)
+        opened = yield from opening(half.problem, context)
         return replace(
             opened, density=half.density, figures=half.figures, cost=half.cost, part=half
         )
-    copies = copies_of(problem, context, accept)
+    copies = yield from copying(problem, accept)
     if copies is not None:
         if not copies.once:
-            return replace(open_flow(copies.problem, context, accept), part=copies)
-        opened = open_flow(copies.problem, context)
+            opened = yield from opening(copies.problem, context, accept)
+            return replace(opened, part=copies)
+        opened = yield from opening(copies.problem, context)
         return replace(opened, figures=copies.figures, cost=copies.cost, part=copies)
     options, cost = problem.options, None
-    with core.Surface(
-        problem.vertices, problem.faces, problem.surface_options, options.threads, context
-    ) as surface:
+    surface = yield core.Surface.work(
+        problem.vertices, problem.faces, problem.surface_options, options.threads
+    )
+    with surface:
         figures = surface.statistics()
-        density = evaluated(problem.density, surface, context)
+        density = yield from evaluating(problem.density, surface, context)
         if accept is not None:
-            cost = core.estimate_cost(surface.extent(density), options)
+            cost = core.estimate_cost((yield surface.extent_work(density)), options)
             accept(cost)
         seed = problem.seed
         if problem.outline:
             spacing = 2.0 * options.radius
             seed, skipped = outlined(seed, surface, problem.outline, spacing, context)
             figures["skipped_outlines"] = skipped
-        flow = core.Flow(surface, options, seed, density, context)
+        flow = yield core.Flow.work(surface, options, seed, density)
         try:
-            directions = evaluated(problem.directions, surface, context)
+            directions = yield from evaluating(problem.directions, surface, context)
             if directions is not None:
                 flow.set_directions(directions, problem.alignment)
         except BaseException:
