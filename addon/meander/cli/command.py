@@ -16,7 +16,7 @@ from .. import core
 from ..model import bundle, last_run, report, start, strands
 from ..model.copies import AllCopies
 from ..model.empty import Empty, empty_of, narrow_remark, remark
-from ..model.estimate import cost_in_words
+from ..model.estimate import PHASE_TEXTS, cost_in_words
 from ..model.files import meshes
 from ..model.files.whole import FileError
 from ..model.least_bend import sharpest_bend
@@ -286,14 +286,14 @@ def _open(given: Input, arguments: argparse.Namespace, place: Place) -> Opened:
     """Opens the flow, unless it would be too large; an error names elements as the user counts
     them."""
 
-    about = ["preparing the mesh"]
+    about = [PHASE_TEXTS["mesh"].lower()]
 
     def accept(of_library: core.Cost) -> None:
         cost = limits.of_process(of_library, given.problem)
         limits.refuse_large(cost, arguments)
         if LARGE < cost.nodes <= limits.MOST_OF_LIBRARY:
             place.say(f"meander: about {cost_in_words(cost)}")
-        about.append("looking at the surface")
+        about.append(PHASE_TEXTS["surface"].lower())
 
     try:
         with core.Context() as context, told(context, lambda: about[-1], place.say, large=False):
