@@ -285,6 +285,9 @@ def test_a_drawing_that_fails_on_the_way_ends(monkeypatch: pytest.MonkeyPatch) -
     class Failing:
         finished = False
 
+        def prepare(self) -> None:
+            pass
+
         def poll(self) -> None:
             raise core.MeanderError("There is not enough memory", core.Status.OUT_OF_MEMORY)
 

@@ -207,6 +207,7 @@ def _run(stepper: Stepper) -> None:
     try:
         while not stepper.finished:
             time.sleep(_PAUSE)
+            stepper.prepare()
     except BaseException:
         stepper.cancel()
         stepper.join()

@@ -9,6 +9,7 @@ executes nothing.
 from __future__ import annotations
 
 import json
+import tempfile
 import zipfile
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
@@ -88,6 +89,20 @@ def write_bundle(path: Path, bundle: Bundle) -> None:
         _parted("curve", bundle.curve._asdict(), arrays)
     with whole_file(path) as temporary, temporary.open("wb") as file:
         np.savez_compressed(file, record=np.array(json.dumps(record)), **arrays)
+
+
+def left_by(
+    flow: core.Flow, problem: Problem, error: BaseException
+) -> tuple[int, Path] | None:
+    """Writes the bundle of a run that a defect has ended into a folder of its own. Returns the
+    iteration before it and the file; None: there is nothing to write, or no room for it."""
+    try:
+        made = bundle_of(flow, problem, error)
+        path = Path(tempfile.mkdtemp(prefix="meander-")) / f"defect{SUFFIX}"
+        write_bundle(path, made)
+    except (core.MeanderError, FileError, OSError):
+        return None
+    return made.iteration, path
 
 
 def read_bundle(path: Path) -> Bundle:

@@ -32,8 +32,9 @@ from ..scene.shared_settings import share
 from ..scene.transforms import mean_scale, to_local
 from ..scene.view_aid import lay_on_what_is_shown
 from . import rounding
+from .outcome import Snapshot
 from .plan import Plan
-from .stepper import Snapshot, Stepper
+from .stepper import Stepper
 
 # Gaps that are kept with a result, the largest: a run that was stopped early has thousands.
 MOST_GAPS = 200

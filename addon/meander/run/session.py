@@ -18,7 +18,7 @@ import bpy
 
 from .. import core
 from ..model import strands
-from ..model.estimate import Estimate, Remaining, in_words, told
+from ..model.estimate import Estimate, Remaining
 from ..scene.errors import DataError
 from ..scene.home_scene import Choice
 from ..scene.identity import Key, number_of
@@ -28,13 +28,15 @@ from ..scene.meshes import in_polygons
 from . import edit_mode, estimate, live, one_step, seeds, suspended
 from .lasting import Activity
 from .meaning import meaning_of
+from .outcome import Snapshot
 from .plan import Plan, with_looks
 from .preview import Preview
 from .refusal import explain_refusal, refuse_deleted
 from .result import write_result
 from .rounding import tolerance_for
-from .stepper import Snapshot, Stepper
+from .stepper import Stepper
 from .suspended import SuspendedRun
+from .told import Told
 from .window import Window, leave_a_processor
 
 # How often the settings are looked at for other wishes, in seconds, and what share of the time that
@@ -45,11 +47,13 @@ LOOK_INTERVAL, LOOK_SHARE = 0.2, 0.2
 STALE = 0.25
 # So long a full start is drawn, in seconds, as long as the run goes.
 DRAWN_IN = 2.0
+# Of a run that is to end with what there is, before it has begun.
+NOTHING_YET = "Nothing has grown yet that could be kept; fill the mesh again, and let it grow first"
 # Of what a run with Live on would not have begun by itself.
 VERY_LARGE = "The curve would be very large; fill the mesh again for that"
 
 
-class Session:
+class Session(Told):
     """A run from its plan to its end.
 
     In a window: start(), then tick() at every timer event while it returns True, then keep() or
@@ -106,18 +110,30 @@ class Session:
         self._preview = Preview(self.plan, context.scene)
         self._window = Window(context)
         leave_a_processor(self.plan.problem.options)
-        self._remaining = Remaining(self._expected())
         self.stepper.start()
+        self._remaining = Remaining(self._expected())
         self._polled = time.perf_counter()
 
     def _expected(self) -> float | None:
         """The seconds that the run is thought to take; what goes on has the rest before it."""
-        seconds = estimate.expected(self.plan.settings.find())
-        if seconds is None:
+        seconds, cost = estimate.expected(self.plan.settings.find()), self.stepper.cost
+        if seconds is None and cost is not None:
+            seconds = estimate.speeds.seconds(self.plan.problem.options, cost)
+        elif seconds is None and not self.stepper.preparing:  # it goes on, with other wishes
             found = estimate.of_plan_or_none(self.plan)
             seconds = None if found is None else found.seconds
         left = self.stepper.costs * (1.0 - self.progress())
         return None if seconds is None else seconds * left
+
+    def _prepare(self, context: bpy.types.Context) -> None:
+        """Goes on with what is done before the run, and shows how far that is."""
+        if self.stop_wanted:
+            raise DataError(NOTHING_YET)
+        self.stepper.prepare()
+        if not self.stepper.preparing:
+            self._remaining = Remaining(self._expected())
+        elif self._window.text_due(self._window.picture_due(False)):
+            self._window.show(context, self.progress_text(), self.bar())
 
     def _take_the_place(self) -> None:
         """A run that begins takes the place of the one before it, and of what is drawn."""
@@ -132,6 +148,9 @@ class Session:
         """
         refuse_deleted(self.plan)
         self.ticked = time.perf_counter()
+        if self.stepper.preparing:
+            self._prepare(context)
+            return True
         ended = self.stepper.finished  # where it ends meanwhile, the next tick looks for wishes
         if self.stop_wanted:
             self._wish = None
@@ -155,7 +174,7 @@ class Session:
             self._window.picture_given()
             self._pictured = self.ticked
         if text_due:
-            self._window.show(context, self.progress_text(), self.progress())
+            self._window.show(context, self.progress_text(), self.bar())
         return self._wish is not None or not (ended and self.stepper.finished) or self._goes_on()
 
     def _goes_on(self) -> bool:
@@ -293,31 +312,6 @@ class Session:
         share = (self.ticked - self._drawn_since) / DRAWN_IN
         self._drawing = share < 1.0
         return min(share, 1.0)
-
-    def progress(self) -> float:
-        """How much of the run is done, in [0, 1]: about the share of its time."""
-        return self.latest.progress if self.latest is not None else 0.0
-
-    def progress_text(self) -> str:
-        """What the run is about and how long it will still take, in words."""
-        text, share = told(self._phase(), self._remaining.seconds()), self.stepper.search.progress
-        return self._placed(text if share is None else f"{text}, {share:.0%}")
-
-    def phase_text(self) -> str:
-        """What the run is about, such as "Growing"."""
-        return self._placed(told(self._phase(), None))
-
-    def _placed(self, text: str) -> str:
-        return f"{self.place}: {text}" if self.place else text
-
-    def left_text(self) -> str:
-        """How long it will still take, such as "12 s"; empty while that is not known."""
-        seconds = self._remaining.seconds()
-        return in_words(seconds) if seconds is not None else ""
-
-    def _phase(self) -> str:
-        latest = self.latest.phase if self.latest is not None else "none"
-        return "search" if self.stepper.search.begun else latest
 
     @property
     def shown_points(self) -> int:

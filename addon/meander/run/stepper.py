@@ -10,10 +10,8 @@ Both ways give the same curve to the last bit.
 from __future__ import annotations
 
 import math
-import tempfile
 from collections.abc import Callable
-from dataclasses import dataclass, replace
-from pathlib import Path
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -21,51 +19,29 @@ import numpy as np
 from .. import core
 from ..model import bundle
 from ..model.copies import Copies
-from ..model.files.whole import FileError
 from ..model.least_bend import Stiffening, sharpest_bend
 from ..model.mirror import Half
-from ..model.opening import open_flow
+from ..model.opening import Opened, opening
 from ..model.picture.correction import COSTS, Correction
 from ..model.problem import Problem
+from ..model.steps import Background, Steps, at_once
 from ..model.toolpaths.toolpath import strands_of
 from ..model.whole import whole_of
 from . import search
+from .outcome import Line, Snapshot, of_whole
 from .search import Search
 
+# Of a mesh of so many faces what lasts before a run takes some hundredths of a second.
+MANY_FACES = 20_000
 # A watched run keeps its curve whenever that has grown by this share of what it is going to be, as
 # long as those copies have no more points than this, which take 100 MB.
 GROWTH_STEP, GROWTH_POINTS = 1.0 / 16.0, 2_000_000
 
 
-@dataclass(frozen=True)
-class Snapshot:
-    """The curve at one moment, and what a user wants to know of it."""
-
-    polylines: core.Polylines
-    iterations: int
-    nodes: int
-    length: float
-    seconds: float
-    progress: float  # how far the run is, in [0, 1]; core.Context.progress
-    phase: str  # what it is about; core.Context.phase
-    kept: int = 0  # how many copies of growth come after this one
-
-
-@dataclass(frozen=True)
-class _Line:
-    """What a run has ended with: its outcome, and what the stepper tells of it besides."""
-
-    outcome: tuple[Snapshot, dict[str, Any], str]
-    gaps: core.Gaps | None
-    guides: np.ndarray
-    point_data: core.PointData
-    drawn: tuple[core.Polylines, core.PointData] | None
-
-
 class Stepper:
     """Runs one Problem.
 
-    Watched: start(), then poll() until `finished`, then result(). Blocking: run(), then result().
+    Watched: start(), prepare() and poll() until `finished`, then result(). Or run(), then result().
     cancel() may be called at any time; the curve of the last whole iteration stays available.
     """
 
@@ -81,7 +57,10 @@ class Stepper:
         # What is to be said of a run that a defect of the library has ended; its result is the
         # curve of the last iteration that ended well, as if it had been cancelled then.
         self.defect = ""
+        self._preparation: Background | None = None  # of a watched run
         self._length = 0.0  # about what the curve is going to have
+        # That it is expected to have, once that is known, as it was asked for when it began.
+        self.cost: core.Cost | None = None
         self.density: np.ndarray | None = None  # per vertex, once the run has been prepared
         # Of the result, once there is one: what it leaves empty, unless it was cancelled, and which
         # strands are guides.
@@ -101,7 +80,7 @@ class Stepper:
         self.stiffening = Stiffening(problem.least_bend_radius)
         # Of a picture: what its line is corrected by, and the line before the last correction.
         self._correction = None if problem.tones is None else Correction(problem.tones)
-        self._before: _Line | None = None
+        self._before: Line | None = None
         self.surface_figures: dict[str, Any] = {}  # of core.Surface.statistics(), once prepared
         # What finds what result() tells, once it has begun; how many nodes the last picture had.
         self.search = Search()
@@ -110,19 +89,52 @@ class Stepper:
         self._progress, self._phase = 0.0, "none"
 
     def start(self) -> None:
-        """Prepares the surface and begins the run, which goes on by itself.
+        """Begins the run, which goes on by itself; on a large mesh what it needs before that, which
+        prepare() goes on with.
 
         One that has been cancelled goes on from where it was, to the same curve as if it had never
         been. What goes wrong is for result() to raise: the run has then ended at once.
         """
         try:
-            self._begin()
-            length = self._length if self._part is None else self._length / self._part.times
-            self._flow.keep_growth(GROWTH_STEP * length, GROWTH_POINTS)
-            self._flow.start(self._context)
-            self._started = True
+            if self._flow is None and len(self.problem.faces) >= MANY_FACES:
+                self._preparation = Background(self._opening(), self._context)
+                self.prepare()
+            else:
+                self._begin()
+                self._launch()
         except Exception as error:
             self._error = error
+
+    def prepare(self, wait: bool = False) -> None:
+        """Goes on with what lasts before a run, and begins it as soon as that is done.
+
+        wait   until it is; else it never does
+        """
+        if self._preparation is None:
+            return
+        over = True
+        try:
+            over = self._preparation.go_on(wait)
+            if over:
+                self._take(self._preparation.done)
+                self._launch()
+        except Exception as error:
+            self._error = error
+        finally:
+            if over:
+                self._preparation = None
+
+    @property
+    def preparing(self) -> str:
+        """What is done before the run, one of estimate.PHASE_TEXTS; empty: nothing any more."""
+        if self._preparation is None:
+            return ""
+        return "mesh" if self.cost is None else "surface"
+
+    @property
+    def share(self) -> float | None:
+        """How much is over of what is done before the run or after it; None: that is the run."""
+        return self._context.progress if self.preparing else self.search.progress
 
     def run(self) -> None:
         """The whole run; returns when it has ended."""
@@ -140,41 +152,38 @@ class Stepper:
         self._error = error
         if self._flow is None or not bundle.is_defect(error):
             return
-        try:
-            made = bundle.bundle_of(self._flow, self._opened, error)
-            folder = tempfile.mkdtemp(prefix="meander-")
-            path = Path(folder) / f"defect{bundle.SUFFIX}"
-            bundle.write_bundle(path, made)
-        except (core.MeanderError, FileError, OSError):
-            return  # then there is nothing but the sentence
-        if made.iteration > 0:
+        left = bundle.left_by(self._flow, self._opened, error)
+        if left is not None and left[0] > 0:
             self._error, self._stop_reason = None, "cancelled"
-            self.defect = f"{str(error).removesuffix('.')}, and add {path} to the report"
+            self.defect = f"{str(error).removesuffix('.')}, and add {left[1]} to the report"
 
     def _begin(self) -> None:
         self.search.end()
         if self._flow is None:
-            self._prepare()
+            self._take(at_once(self._opening()))
         else:
             self._context.reset()
             self._stop_reason = "running"
 
-    def _prepare(self) -> None:
-        opened = open_flow(self.problem, accept=self._note_cost)
-        self._flow, self.density, self.surface_figures, self._opened = (
-            opened.flow,
-            opened.density,
-            opened.figures,
-            opened.problem,
-        )
-        self._part = opened.part
+    def _opening(self) -> Steps[Opened]:
+        return opening(self.problem, accept=self._note_cost)
+
+    def _take(self, opened: Opened) -> None:
+        self._flow, self._opened, self._part = opened.flow, opened.problem, opened.part
+        self.density, self.surface_figures = opened.density, opened.figures
+
+    def _launch(self) -> None:
+        length = self._length if self._part is None else self._length / self._part.times
+        self._flow.keep_growth(GROWTH_STEP * length, GROWTH_POINTS)
+        self._flow.start(self._context)
+        self._started = True
 
     def _note_cost(self, cost: core.Cost) -> None:
-        self._length = cost.length if math.isfinite(cost.length) else 0.0
+        self.cost, self._length = cost, cost.length if math.isfinite(cost.length) else 0.0
 
     @property
     def finished(self) -> bool:
-        """Whether the run has ended, for whatever reason."""
+        """Whether the run has ended, for whatever reason. While it is prepared it has not."""
         if self._started:
             return not self._flow.running
         return self._error is not None or self._stop_reason != "running"
@@ -215,14 +224,10 @@ class Stepper:
                 # What goes on says 0 until its first iteration.
                 self._progress = max(before, self._correction.progress(progress))
                 self._phase = "correction" if self._correction.made else self._phase
-        if preview is not None and self._part is not None:
-            preview = preview._replace(
-                polylines=self._part.shown(preview.polylines),
-                nodes=round(self._part.times * preview.nodes),
-                length=self._part.times * preview.length,
-            )
         if preview is None:
             return None
+        if self._part is not None:
+            preview = of_whole(preview, self._part)
         self._nodes = preview.nodes
         return self._snapshot(*preview)
 
@@ -240,7 +245,7 @@ class Stepper:
 
     def _revise(self, options: core.FlowOptions, density: np.ndarray | None) -> None:
         self.search.end()
-        before, taken, of_flow = self._opened.options, options, density
+        self.cost, before, taken, of_flow = None, self._opened.options, options, density
         if self._part is not None:
             taken = self._part.options_of(options)
             density, of_flow = self._part.density_of(density)
@@ -303,6 +308,7 @@ class Stepper:
 
     def join(self) -> None:
         """Waits for the end of the run. Does nothing when none is going."""
+        self.prepare(wait=True)
         if not self._started:
             return
         self._started = False
@@ -341,7 +347,7 @@ class Stepper:
         self.point_data, self.drawn = line.point_data, line.drawn
         return line.outcome
 
-    def _line(self) -> _Line:
+    def _line(self) -> Line:
         if self._before is not None and not self._correction.nearest:
             return self._before
         if self._part is None:
@@ -351,16 +357,16 @@ class Stepper:
         with whole.flow as flow:
             return self._line_of(flow, whole.figures)
 
-    def _searched_line(self) -> _Line:
+    def _searched_line(self) -> Line:
         if not self.search.begun:
             self._begin_search()
         found = self.search.findings()
         outcome = self._outcome(found.polylines, found.statistics)
-        return _Line(outcome, found.gaps, found.guides, found.point_data, found.drawn)
+        return Line(outcome, found.gaps, found.guides, found.point_data, found.drawn)
 
-    def _line_of(self, flow: core.Flow, statistics: dict[str, Any]) -> _Line:
+    def _line_of(self, flow: core.Flow, statistics: dict[str, Any]) -> Line:
         rounding = self.rounding()
-        return _Line(
+        return Line(
             self._outcome(flow.polylines(), statistics),
             None if self._stop_reason == "cancelled" else flow.gaps(),
             flow.guides(),

@@ -18,8 +18,9 @@ from ..scene.meshes import triangles_of
 from ..scene.transforms import to_local
 from .lasting import Activity
 from .meaning import Meaning, meaning_of
+from .outcome import Snapshot
 from .plan import Plan, with_looks
-from .stepper import Snapshot, Stepper
+from .stepper import Stepper
 
 
 @dataclass(frozen=True)

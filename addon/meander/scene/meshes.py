@@ -162,5 +162,6 @@ def vertex_group_weights(
 def loose_edge_count(surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> int:
     """Edges of the evaluated mesh that no face has."""
     with surface_mesh(surface, depsgraph) as (mesh, _matrix):
-        edges = column(mesh.loops, "edge_index", kind=np.int32)
-        return len(mesh.edges) - len(np.unique(edges))
+        loose = np.ones(len(mesh.edges), dtype=bool)
+        loose[column(mesh.loops, "edge_index", kind=np.int32)] = False
+        return int(np.count_nonzero(loose))

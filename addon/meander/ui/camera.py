@@ -254,6 +254,7 @@ class MEANDER_OT_draw_camera(Reasoned, PageSettings, Ticked, bpy.types.Operator)
             if going.stepper is None:
                 return drawing
             going.stepper.start()
+        going.stepper.prepare()
         snapshot = going.stepper.poll()
         if snapshot is not None and going.window.text_due(False):
             text = f"{drawing.place}: {drawing.name}, {snapshot.progress:.0%}"

@@ -125,7 +125,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         if not running.is_about(context.active_object):
             grows = running.plan.surface.find()
             column.label(text=grows.name if grows is not None else "", icon="MESH_DATA")
-        if not draw_progress(column, running.progress(), running.progress_text()):
+        if not draw_progress(column, running.bar(), running.progress_text()):
             bar = column.column()
             bar.enabled = False
             phase = running.phase_text()
@@ -298,7 +298,7 @@ def _figures(layout: bpy.types.UILayout, rows: tuple[tuple[str, str], ...]) -> N
 def _percent(_manager: bpy.types.WindowManager) -> float:
     running = session.current()
     # Rounded, since Blender shows the decimals of small values whatever the precision.
-    return round(100.0 * running.progress()) if running is not None else 0.0
+    return round(100.0 * running.bar()) if running is not None else 0.0
 
 
 _register, _unregister = registration(
