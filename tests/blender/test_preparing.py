@@ -11,7 +11,7 @@ import bpy
 import numpy as np
 import pytest
 from meander import core
-from meander.run import lasting, session, stepper, suspended
+from meander.run import estimate, lasting, session, stepper, suspended
 from meander.run.plan import plan_run
 from meander.scene.errors import DataError
 from scenes import activate
@@ -204,6 +204,17 @@ def test_nothing_else_may_begin_meanwhile(held: Held) -> None:
     assert not bpy.ops.meander.resume.poll()
     running.end()
     assert bpy.ops.meander.run.poll()
+
+
+def test_nothing_is_measured_meanwhile(held: Held, monkeypatch: pytest.MonkeyPatch) -> None:
+    running = begin(sphere(), SPACING)
+    measured: list[bpy.types.Object] = []
+    monkeypatch.setattr(estimate, "_measured", {})
+    monkeypatch.setattr(estimate, "measure", measured.append)
+    assert estimate.shown([running.plan.surface.find()]) is None and estimate._ordered
+    assert estimate.measure_ordered() > 0.0 and not measured, "later"
+    running.end()
+    assert estimate.measure_ordered() is None and len(measured) == 1
 
 
 def test_a_wish_is_taken_when_the_run_has_begun(held: Held) -> None:

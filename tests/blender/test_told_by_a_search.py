@@ -37,14 +37,15 @@ def tick_to_the_end(running) -> None:
         time.sleep(0.01)
 
 
-@pytest.mark.parametrize("many", [True, False])
-def test_nobody_waits_for_what_is_told_of_many_nodes(windowed, asked, monkeypatch, many):
-    monkeypatch.setattr(search, "MANY_NODES", 1 if many else 10**9)
+@pytest.mark.parametrize("many", ["MANY_NODES", "MANY_FACES", ""])
+def test_nobody_waits_for_what_is_told_of_many(windowed, asked, monkeypatch, many):
+    for name in ("MANY_NODES", "MANY_FACES"):
+        monkeypatch.setattr(search, name, 1 if name == many else 10**9)
     running = begin(sphere(), 0.3)
     running.stepper._nodes = 100  # as a copy says, which a short run may not have made
     tick_to_the_end(running)
     assert asked == ([("start_finding", False)] if many else [])
-    assert running.stepper.search.begun == many
+    assert running.stepper.search.begun == bool(many)
     result, figures = running.keep(bpy.context)
     running.end()
     assert [name for name, _going in asked] == ["start_finding", "found"], "all at once, and once"

@@ -57,3 +57,13 @@ def test_what_is_no_stem_and_what_only_has_seams_has_a_thirtieth_of_the_root_of_
         area = core.area_of(mesh.vertices, mesh.faces)
         spacing = core.automatic_spacing(mesh.vertices, mesh.faces)
         assert spacing == pytest.approx(np.sqrt(area) / 30.0, rel=0.05)
+
+
+def test_an_area_is_that_of_all_faces_at_once():
+    """To the last bit, whatever is measured at a time."""
+    vertices, faces = geometry.icosphere(6)
+    vertices = vertices * (1.0 + 0.1 * np.sin(7.0 * vertices[:, :1]))
+    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
+    doubled = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    assert len(faces) > 50_000
+    assert core.area_of(vertices, faces) == doubled.sum() / 2.0

@@ -19,6 +19,8 @@ _OF_STEMS = 6.0
 _STEM = 1.6
 # Vertices that are this near, as a share of the size of all, are in the same place.
 _SAME_PLACE = 1e-6
+# So many faces are measured at a time: what numpy makes of them stays in the processor's cache.
+_BLOCK = 1 << 13
 
 
 def spacing_for(area: float) -> float:
@@ -31,9 +33,13 @@ def spacing_for(area: float) -> float:
 
 def area_of(vertices: NDArray[np.float64], faces: NDArray[np.integer]) -> float:
     """The area of triangles (m, 3), in square units of the vertices (n, 3)."""
-    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
+    doubled = np.empty(len(faces))
     with np.errstate(all="ignore"):  # of coordinates that are not finite, or whose products are not
-        return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2.0)
+        for begin in range(0, len(faces), _BLOCK):
+            some = slice(begin, begin + _BLOCK)
+            a, b, c = vertices[faces[some].T]
+            doubled[some] = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+        return float(doubled.sum() / 2.0)
 
 
 def boundary_of(vertices: NDArray[np.float64], faces: NDArray[np.integer]) -> float:

@@ -26,13 +26,15 @@ from ..scene.meshes import triangles_of
 from ..scene.options import options_of
 from ..scene.preparation import mask_of, repair_of, surface_options
 from ..scene.settings import is_untouched, surface_of
-from .lasting import Memory
+from .lasting import Memory, why_busy
 from .meaning import Meaning, meaning_of
 from .plan import Plan
 from .window import redraw
 
 # Of the time, while a shape changes all the time, that measuring it may take.
 _SHARE = 0.1
+# When it is tried again, in seconds, after a run: its window is not to hang meanwhile.
+_LATER = 0.5
 # The setting whose changes need no new measuring.
 _ARITHMETIC = "spacing"
 
@@ -148,7 +150,10 @@ def _order(active: bpy.types.Object) -> None:
 
 
 def measure_ordered() -> float | None:
-    """Measures one of what is ordered, if it is still selected; the rest at its next call."""
+    """Measures one of what is ordered, if it is still selected; the rest at its next call. Nothing
+    while a curve grows, whose panel shows what is left of that."""
+    if why_busy() is not None:
+        return _LATER
     begin = time.perf_counter()
     view_layer = bpy.context.view_layer
     while _ordered:

@@ -10,6 +10,13 @@ from .. import core
 # The search for what is told of a curve of this many nodes takes so long that a window is not to
 # wait for it.
 MANY_NODES = 200_000
+# The same on a surface of so many faces, of which all are looked at for gaps.
+MANY_FACES = 200_000
+
+
+def lasts(nodes: int, faces: int) -> bool:
+    """Whether a window is not to wait for the search on so many faces."""
+    return nodes >= MANY_NODES or faces >= MANY_FACES
 
 
 class Search:

@@ -318,14 +318,14 @@ class Stepper:
             self._note(error)
 
     def finds(self) -> bool:
-        """Whether the library is finding what result() tells of a curve of many nodes, which costs
-        some iterations; begins with it. Of what is laid on other parts result() finds it.
+        """Whether the library is finding what result() tells of a curve where that costs seconds;
+        begins with it. Of what is laid on other parts result() finds it.
 
         After join() only. What goes wrong is for result() to raise.
         """
-        whole = self._part is None and self._before is None
+        lasts = search.lasts(self._nodes, len(self.problem.faces)) and self._flow is not None
         if not self.search.begun:
-            if self._nodes < search.MANY_NODES or self._flow is None or self.failed or not whole:
+            if self.failed or not lasts or self._part is not None or self._before is not None:
                 return False
             self._begin_search()
         return self.search.running
