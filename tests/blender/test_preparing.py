@@ -84,7 +84,6 @@ def scene_as_it_is() -> tuple[object, ...]:
         sorted(bpy.data.meshes.keys()),
         bpy.context.view_layer.objects.active,
         session.current(),
-        suspended.kept.current,
     )
 
 
@@ -155,6 +154,8 @@ def test_esc_gives_the_scene_back_as_it_was(held: Held, calls: int) -> None:
     assert len(held.begun) == calls and running.stepper.preparing
     running.suspend()  # what Esc does
     assert scene_as_it_is() == before
+    # Where the last call had ended already there is a flow, which can go on later.
+    assert suspended.kept.current is None or calls == 3
     assert running.ended and not running.stepper.preparing
     assert all(one._pointer is None for one in held.begun), "no thread is left"
     assert lasting.why_busy() is None
