@@ -12,7 +12,7 @@ import pytest
 import scenes
 from mathutils import Euler, Matrix
 from meander import batch
-from meander.model.maps import png
+from meander.model.files.png import png
 from meander.model.picture import drawn as drawings
 from meander.model.picture.line import Wishes, plans_of
 from meander.model.picture.tone import Tone

@@ -15,6 +15,7 @@ from flows import flow_on
 from meander import core
 from meander.model import image_files, maps
 from meander.model.files.exr import exr
+from meander.model.files.png import png
 from meander.model.maps import Mapped, Style, Tile
 
 SPACING = 0.1
@@ -252,6 +253,30 @@ def test_islands_go_on_beyond_their_edges(sheet: Mapped) -> None:
     assert (image[: quarter - 7] == 0).all()
 
 
+def test_pixels_at_the_edge_of_an_island_are_the_mean_of_what_is_on_it(sheet: Mapped) -> None:
+    """Against 64 places a pixel, of an island that lies askew; and the margin goes on from them."""
+    size, turn = 120, 0.6 * np.array([[np.cos(0.4), np.sin(0.4)], [-np.sin(0.4), np.cos(0.4)]])
+    island = replace(sheet, uv=(sheet.uv - 0.5) @ turn + 0.5)
+    steps = (np.arange(8) + 0.5) / 8 - 0.5
+    offsets = np.stack(np.meshgrid(steps, steps), axis=2).reshape(-1, 2) / size
+    places = (centres(size).reshape(-1, 1, 2) + offsets - 0.5) @ np.linalg.inv(turn) + 0.5
+    on = ((places >= 0.0) & (places <= 1.0)).all(axis=2)
+    edge = np.flatnonzero(on.any(axis=1) & ~on.all(axis=1))
+    far = true_distances(sheet, places[edge].reshape(-1, 2)).reshape(len(edge), 64) / SPACING
+    far, weights = np.clip(far, 0.0, 1.0), on[edge] / on[edge].sum(axis=1, keepdims=True)
+    tile = Tile(island, (0, 0), Style(size, 6))
+    height = 1.0 - np.clip(1.0 - 2.0 * far, 0.0, 1.0) ** 2
+    for kind, true in (("distance", far), ("height", height)):
+        image = tile.values(kind).ravel()
+        off = np.abs(image[edge] - (true * weights).sum(axis=1))
+        # Those that the island only touches have a few places, and not the same ones.
+        much = on[edge].mean(axis=1) > 0.25
+        assert len(edge) > 250 and np.percentile(off[much], 95) < 0.02 and off.mean() < 0.02
+        margin = (tile.face >= 0) & ~on.any(axis=1)
+        assert margin.sum() > 1000
+        assert np.isin(image[margin], image[on.any(axis=1)]).all()
+
+
 def test_a_map_that_lies_on_itself_is_told(sheet: Mapped) -> None:
     assert Tile(sheet, (0, 0), Style(SIZE, 4)).overlap < 0.001
     folded = replace(sheet, uv=np.abs(sheet.uv - [0.5, 0.0]))
@@ -283,7 +308,7 @@ def test_png_holds_what_was_put_in() -> None:
     rng = np.random.default_rng(1)
     for shape in ((5, 7), (4, 6, 3)):
         image = rng.integers(0, 2**16, shape, dtype=np.uint16)
-        data = maps.png(image)
+        data = png(image)
         assert data[:8] == b"\x89PNG\r\n\x1a\n"
         chunks, at = {}, 8
         while at < len(data):

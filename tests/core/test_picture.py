@@ -439,7 +439,7 @@ def test_what_is_no_picture_is_refused(portrait, tmp_path, capsys):
 
 def test_sixteen_bits_are_kept(portrait):
     pillow = pytest.importorskip("PIL.Image")
-    from meander.model.maps import png
+    from meander.model.files.png import png
 
     values = (np.arange(60 * 50 * 3).reshape(60, 50, 3) * 7 % 65536).astype(np.uint16)
     portrait.write_bytes(png(values))

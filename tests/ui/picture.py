@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import bpy
 import numpy as np
 from dialogs import chosen
-from meander.model.maps import png
+from meander.model.files.png import png
 from stage import (
     PICTURES,
     changed_share,

@@ -8,8 +8,6 @@ nothing is sampled.
 
 from __future__ import annotations
 
-import struct
-import zlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -19,6 +17,7 @@ from numpy.typing import NDArray
 
 from .. import core
 from .files.exr import exr
+from .files.png import png
 from .geometry.unit_vectors import unit
 
 # What an image can show; docs/making.md says what its values mean.
@@ -141,7 +140,8 @@ class Tile:
     """One unit square of a map, as pixels: the mean over the area of each.
 
     Most pixels lie within one turn and are what their middle is. Those at the border between two
-    turns, on the line, or at the edge of an island are the mean of many places.
+    turns, on the line, or at the edge of an island are the mean of many places, as far as these lie
+    on the surface. Those of the margin beyond show what the nearest ones within an island do.
 
     overlap   the share of its pixels that lie in two places of the surface
     """
@@ -165,9 +165,22 @@ class Tile:
         self._places = places
         pixels = core.map_pixels(places, size, style.margin, context=context)
         self.face, self._weights = pixels.faces, pixels.weights
-        self.overlap = pixels.twice / pixels.covered if pixels.covered else 0.0
         self._context = context
+        self._beyond, self._shown = self._margin()
+        self.overlap = pixels.twice / pixels.covered if pixels.covered else 0.0
         self._images: dict[str, NDArray[np.float32]] | None = None
+
+    def _margin(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """The pixels of the margin, and those within an island whose places they have."""
+        bare = core.map_pixels(self._places, self._style.size, context=self._context).faces
+        beyond = np.flatnonzero((self.face >= 0) & (bare < 0))
+        shown = np.empty_like(beyond)
+        for _done, part in _parts(len(beyond)):
+            here = beyond[part]
+            corners = self._places[self.face[here]]
+            column, row = np.rint(np.einsum("nk,nkx->xn", self._weights[here], corners))
+            shown[part] = row * self._style.size + column
+        return beyond, shown
 
     def values(self, kind: str) -> NDArray[np.float32]:
         """One of the kinds, (size, size) or, of normals and colours, (size, size, 3), all from 0 to
@@ -198,13 +211,15 @@ class Tile:
             kind: np.zeros((size * size, 3) if kind in _VECTORS else size * size, dtype=np.float32)
             for kind in self._kinds
         }
+        within = self.face >= 0
+        within[self._beyond] = False
         averaged = [kind for kind in self._kinds if kind != "mask"]  # which is one already
         looked = _MIDDLES_LOOKED_AT if averaged else 1.0
         if averaged:
             turn, along = np.full(size * size, -1, dtype=np.int64), np.zeros(size * size)
             bent = np.zeros(size * size, dtype=bool)
         for done, whole in _parts(size * size):
-            part = _chosen(whole, self.face[whole] >= 0)
+            part = _chosen(whole, within[whole])
             at = self._look(self.face[part], self._weights[part])
             for kind, image in images.items():
                 image[part] = self._values(kind, at)
@@ -216,8 +231,11 @@ class Tile:
             yield _PIXELS_FOUND + (looked - _PIXELS_FOUND) * done
         if averaged:
             pixels = np.flatnonzero(bent | self._at_borders(turn, along))
-            for done in self._average(images, averaged, pixels):
+            for done in self._average(images, averaged, pixels, within):
                 yield _MIDDLES_LOOKED_AT + (1.0 - _MIDDLES_LOOKED_AT) * done
+        rest = ~within[self._beyond]
+        for image in images.values():
+            image[self._beyond[rest]] = image[self._shown[rest]]
         if "normal" in images:
             known = self.face >= 0
             images["normal"][known] = 0.5 + 0.5 * unit(images["normal"][known] - 0.5)
@@ -248,29 +266,31 @@ class Tile:
         images: dict[str, NDArray[np.float32]],
         kinds: Sequence[str],
         pixels: NDArray[np.int64],
+        within: NDArray[np.bool_],
     ) -> Iterator[float]:
-        """Puts the mean over so many places of each of these pixels in the place of its middle, and
-        gives the share that is done."""
+        """Puts the mean over so many places of each of these pixels, as far as they lie on the
+        surface, in the place of its middle, and gives the share that is done.
+
+        within   pixels whose values are known; those of which some place does are among them then
+        """
         sums = {kind: np.zeros((len(pixels), *images[kind].shape[1:])) for kind in kinds}
+        counts = np.zeros(len(pixels), dtype=np.int64)
         samples = self._samples(pixels)
         steps = (np.arange(samples) + 0.5) / samples - 0.5
         offsets = np.stack(np.meshgrid(steps, steps), axis=2).reshape(-1, 2)
         for passed, offset in enumerate(offsets):
-            found = core.map_pixels(
-                self._places - offset, self._style.size, max(self._style.margin, 1),
-                context=self._context,
-            )
+            found = core.map_pixels(self._places - offset, self._style.size, context=self._context)
             for done, part in _parts(len(pixels)):
-                face, weights = found.faces[pixels[part]], found.weights[pixels[part]]
-                beyond = face < 0  # of what has no neighbour there, its middle counts
-                face[beyond] = self.face[pixels[part]][beyond]
-                weights[beyond] = self._weights[pixels[part]][beyond]
-                at = self._look(face, weights)
+                on = part.start + np.flatnonzero(found.faces[pixels[part]] >= 0)
+                at = self._look(found.faces[pixels[on]], found.weights[pixels[on]])
+                counts[on] += 1
                 for kind in kinds:
-                    sums[kind][part] += self._values(kind, at)
+                    sums[kind][on] += self._values(kind, at)
                 yield (passed + done) / len(offsets)
+        met = counts > 0
+        within[pixels[met]] = True
         for kind in kinds:
-            images[kind][pixels] = sums[kind] / samples**2
+            images[kind][pixels[met]] = (sums[kind][met].T / counts[met]).T
 
     def _samples(self, pixels: NDArray[np.int64]) -> int:
         """Along each side of these pixels: the more, the wider they are on the surface."""
@@ -366,20 +386,3 @@ def _height(distance: NDArray[np.float64]) -> NDArray[np.float64]:
 def _steepness(distance: NDArray[np.float64]) -> NDArray[np.float64]:
     """The derivative of _height()."""
     return 4.0 * np.clip(1.0 - 2.0 * distance, 0.0, 1.0)
-
-
-def png(image: NDArray[np.uint16]) -> bytes:
-    """A PNG file with 16 bits a channel: grey, or red, green and blue."""
-    height, width = image.shape[:2]
-    colour = 2 if image.ndim == 3 else 0
-    rows = image.astype(">u2").reshape(height, -1).view(np.uint8)
-    # Each row as its difference from the one above: images of distances become a third as long.
-    filtered = np.full((height, 1 + rows.shape[1]), 2, dtype=np.uint8)
-    filtered[0, 1:] = rows[0]
-    np.subtract(rows[1:], rows[:-1], out=filtered[1:, 1:])
-    header = struct.pack(">IIBBBBB", width, height, 16, colour, 0, 0, 0)
-    chunks = ((b"IHDR", header), (b"IDAT", zlib.compress(filtered, 6)), (b"IEND", b""))
-    return b"\x89PNG\r\n\x1a\n" + b"".join(
-        struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
-        for name, data in chunks
-    )
