@@ -341,6 +341,9 @@ inline constexpr double kIterationMeasured = 0.55;          // share of the time
 inline constexpr double kIterationSolved = 0.7;             // share of the time; kIterationMeasured to 1; above
 inline constexpr double kIterationMoved = 0.9;              // share of the time; kIterationSolved to 1; above
 
+/// A curve of so many times as many nodes has become finer.
+inline constexpr double kMuchFiner = 1.5;                   // times; 1 to 2; free
+
 /// From here on progress follows ever more slowly, so that it stays below 1 however long a run takes.
 inline constexpr double kSlowedFrom = 0.7;                  // share of the time; 0 to 1; free
 

@@ -169,7 +169,12 @@ void Iteration::check(size_t number) {
 void Iteration::commit(FlowState& state, RunRecord& record, double seconds) noexcept {
   static_assert(std::is_nothrow_swappable_v<CurveState> && std::is_nothrow_move_assignable_v<StartReport>);
   std::swap(static_cast<CurveState&>(state), after());
+  const size_t now = state.curve.size(), was = after().curve.size();
   after().hand_on();
+  // Of a curve that has become finer all lists are larger, and none fits where the old ones were.
+  if (LargePages<SurfacePoint>::is_large(now) && static_cast<double>(now) > kMuchFiner * static_cast<double>(was)) {
+    PageStore::trim();
+  }
   if (report_) state.start = std::move(*report_);
   state.domain.correct(figures_.correction);
   record_.seconds = seconds_.total = seconds;
