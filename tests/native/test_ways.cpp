@@ -16,15 +16,15 @@
 namespace meander::test::ways_tests {
 namespace {
 
-/// Sheets of this many quads either way.
+/// Sheets of this many quads either way, but for others.
 constexpr int kSide = 46;
 
 using IsOpen = std::function<bool(int column, int row)>;
 
 /// A sheet of which only what is open is there, one unit a quad.
-std::shared_ptr<const Surface> sheet(const IsOpen& is_open) {
+std::shared_ptr<const Surface> sheet(const IsOpen& is_open, int side = kSide) {
   return std::make_shared<const Surface>(make_surface(grid(
-      kSide, 0, [](double x, double y) { return Vec3(kSide * x, kSide * y, 0); },
+      side, 0, [=](double x, double y) { return Vec3(side * x, side * y, 0); },
       [&](uint32_t i, uint32_t j) { return !is_open(static_cast<int>(i), static_cast<int>(j)); })));
 }
 
@@ -67,6 +67,32 @@ TEST(Ways, LeadFromRoomToRoomRoundCorners) {
         const int low = nodes_in(*surface, curve, {0, 0}, {kSide, kLow});
         const int high = nodes_in(*surface, curve, {0, kHigh}, {kSide, kSide});
         EXPECT_GT(3 * std::min(low, high), 2 * std::max(low, high));
+      }
+    }
+  }
+}
+
+/// A plan of sixteen rooms, with doors narrower than a spacing in thick walls.
+TEST(Ways, LeadThroughEveryDoorOfAPlan) {
+  constexpr int kRooms = 4, kRoom = 20, kWall = 5, kDoor = 2, kPitch = kRoom + kWall;
+  constexpr double kRadius = 1.25;
+  const auto surface = sheet(
+      [](int i, int j) {
+        const int column = i / kPitch, row = j / kPitch, x = i % kPitch, y = j % kPitch;
+        if (x < kRoom && y < kRoom) return true;
+        const auto door = [&](int at) { return 0 <= at && at < kDoor; };
+        if (x >= kRoom) return door(y - 3 - 4 * ((column + row) % 4));  // from each room to the next of its row
+        return column == row % 3 && door(x - 9);                        // and from row to row once
+      },
+      kRooms * kPitch - kWall);
+  for (const uint32_t variation : {0u, 4u}) {
+    SCOPED_TRACE(variation);
+    const Curve curve = start_on(surface, kRadius, variation).curve;
+    for (int row = 0; row < kRooms; ++row) {
+      for (int column = 0; column < kRooms; ++column) {
+        SCOPED_TRACE(std::to_string(column) + ", " + std::to_string(row));
+        const Vec2 low{double(column * kPitch), double(row * kPitch)};
+        EXPECT_GT(nodes_in(*surface, curve, low, low + Vec2{kRoom, kRoom}), 50);
       }
     }
   }

@@ -248,9 +248,10 @@ inline constexpr double kLongestLegOfWay = 4;         // r; > 0; free
 inline constexpr double kLegsAsClear = 0.8;           // share of the clearance; 0 to 1; free
 
 /// On the ways out of a tree no more places are looked at than kPlacesOfTree, and kPlacesOfNode for each node at which
-/// ways begin; of all trees, than ten times the first, and one for every other node.
+/// ways begin; of all trees, than ten times the first, and kPlacesOfAny for every node.
 inline constexpr size_t kPlacesOfTree = 2000;         // places; > 0; "Ways out of a tree"
 inline constexpr size_t kPlacesOfNode = 128;          // places; > 0; "Ways out of a tree"
+inline constexpr size_t kPlacesOfAny = 32;            // places; > 0; "Ways out of a tree"
 
 /// The curve runs so far from the tree: a half spacing would be its distance at rest, and from there the flow pushes
 /// strands apart within some 10 iterations. Nearer to it fewer corners meet. Where it would touch itself it is halved,

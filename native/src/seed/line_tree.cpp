@@ -39,7 +39,7 @@ class Joiner {
         trees_(lines.size()),
         shortener_(network.surface()), index_(network.nodes().size(), kNone), tangent_(network.nodes().size()),
         trunk_(lines.size(), 0), held_(network.nodes().size(), 0),
-        places_left_(10 * kPlacesOfTree + network.nodes().size() / 2), used_(lines.size()) {
+        places_left_(10 * kPlacesOfTree + kPlacesOfAny * network.nodes().size()), used_(lines.size()) {
     for (uint32_t k = 0; k < lines.size(); ++k) number(k);
     for (const LineNetwork::Edge& e : network.edges()) {
       if (e.taken_out || line_of(e.from) != line_of(e.to)) continue;

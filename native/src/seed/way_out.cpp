@@ -48,7 +48,7 @@ class WaySearch {
       --left_;
       poll_();
       if (reach_goal(k, view)) return true;
-      if (places_[k].cost < kLongestWay) go_on(k, view, step);
+      if (places_[k].cost < kLongestWay && !(view.is_inside() && places_[k].before != kNowhere)) go_on(k, view, step);
     }
     return false;
   }
@@ -65,7 +65,10 @@ class WaySearch {
   };
   struct View {
     double clear = kOpenWay;  // distance from the boundary, in r
+    bool by_boundary = false, by_own = false;  // the boundary is in sight, another part of its own tree
     std::vector<std::pair<double, uint32_t>> goals;
+    /// Where lines of its own tree lie side by side there is no way out.
+    bool is_inside() const { return by_own && !by_boundary; }
   };
   using Cell = std::tuple<uint32_t, size_t, int64_t, int64_t, int64_t>;
 
@@ -83,10 +86,12 @@ class WaySearch {
       const double away = distance / place.radius;
       if (other.line >= LineNetwork::kBoundary) {
         view.clear = std::min(view.clear, away);
+        view.by_boundary = true;
       } else if (is_goal_(other.line)) {
         view.goals.emplace_back(distance, i);
-      } else if (away < kWayFromLines && !(other.line == own.line && std::abs(other.arc - own.arc) < kWayOwnPart)) {
-        view.clear = 0;
+      } else if (!(other.line == own.line && std::abs(other.arc - own.arc) < kWayOwnPart)) {
+        view.by_own = true;
+        if (away < kWayFromLines) view.clear = 0;
       }
       return false;
     });
