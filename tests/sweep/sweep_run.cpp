@@ -68,6 +68,8 @@ meander_flow_options options_of(char** arguments) {
   return options;
 }
 
+constexpr double kLeastGap = 4;  // r: the places are not kept, and the shares do not depend on it
+
 /// What is said of a run.
 struct Row {
   std::string outcome = "unknown", reason;
@@ -76,6 +78,8 @@ struct Row {
   double creating = 0, flowing = 0, checking = 0;  // seconds of the processor
   double node_iterations = 0;                      // nodes, summed over the iterations
   double length = 0, energy = 0, evenness = 0;
+  double empty = 0, narrow = 0;  // shares of the area: see meander_gaps
+  uint32_t full_parts = 0, no_room_parts = 0, crossing_parts = 0;
   uint64_t digest = 0;
   std::string first_fault;
 
@@ -120,6 +124,17 @@ void finish(Row& row, meander_flow* flow, const CurveState& last) {
   row.energy = figures.energy;
   row.length = figures.length;
   row.crossings += figures.crossings;
+  row.full_parts = figures.start_full_parts;
+  row.no_room_parts = figures.start_no_room_parts;
+  row.crossing_parts = figures.start_crossing_parts;
+  meander_gaps gaps;
+  meander_gaps_init(&gaps, sizeof gaps);
+  if (const meander_status found = meander_flow_find_gaps(flow, kLeastGap, &gaps, nullptr, &error)) {
+    throw Refusal{found, error.text};
+  }
+  row.empty = gaps.empty_share;
+  row.narrow = gaps.narrow_share;
+  meander_result_destroy(gaps.result);
   row.digest = digest_of(last);
 }
 
@@ -190,6 +205,11 @@ void print(const Row& row) {
   add("length", number(row.length));
   add("energy", number(row.energy));
   add("evenness", number(row.evenness));
+  add("empty", number(row.empty));
+  add("narrow", number(row.narrow));
+  add("full_parts", number(row.full_parts));
+  add("no_room_parts", number(row.no_room_parts));
+  add("crossing_parts", number(row.crossing_parts));
   char digest[20];
   std::snprintf(digest, sizeof digest, "\"%016llx\"", static_cast<unsigned long long>(row.digest));
   add("digest", digest);
