@@ -122,6 +122,15 @@ TEST(RefinedSurface, KeepsItsShapeWhenEdgesAreSplit) {
   }
 }
 
+TEST(RefinedSurface, HasNoPlaceBeyondTheBoundary) {
+  const RefinedSurface mesh(make_surface(square()));
+  for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
+    if (mesh.face(h) != kNone) continue;
+    EXPECT_EQ(mesh.at(h).x, 0);
+    EXPECT_EQ(mesh.at(h).y, 0);
+  }
+}
+
 TEST(RefinedSurface, KeepsItsShapeWhenFacesAreSplitAndEdgesFlipped) {
   for (const Mesh& m : {square(), angle(), sphere(1)}) {
     const Surface s = make_surface(m);

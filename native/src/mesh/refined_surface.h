@@ -72,7 +72,8 @@ class RefinedSurface {
   Vec3 middle(HalfEdge h) const { return 0.5 * (position(from(h)) + position(to(h))); }
   /// The face of the surface that a face is a part of, in whose orientation it is.
   uint32_t origin(uint32_t f) const { return origins_[f]; }
-  /// Where a corner is in that face of the surface: the weights of the face's corners 1 and 2.
+  /// Where a corner is in that face of the surface: the weights of the face's corners 1 and 2. Beyond the boundary
+  /// nothing is meant.
   Vec2 at(HalfEdge corner) const { return at_.empty() ? at_whole(corner) : at_[corner]; }
   /// Where the share t of a half-edge is in that face.
   Vec2 at_share(HalfEdge h, double t) const { return (1 - t) * at(h) + t * at(next(h)); }
@@ -107,6 +108,7 @@ class RefinedSurface {
   static OpenMesh::VertexHandle vertex(uint32_t v) { return OpenMesh::VertexHandle(static_cast<int>(v)); }
   /// The same while nothing has changed: corners have the order of their face in the surface.
   Vec2 at_whole(HalfEdge corner) const {
+    if (face(corner) == kNone) return {};
     const HalfEdge before = first(face(corner));
     if (corner == before) return {0, 0};
     return corner == next(before) ? Vec2{1, 0} : Vec2{0, 1};
