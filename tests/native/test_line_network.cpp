@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "geodesic/geodesic_trace.h"
 #include "geodesic/patch_comparison.h"
 #include "seed/line_network.h"
 #include "meshes.h"
@@ -52,6 +53,30 @@ TEST(LineNetwork, FindsWhatIsNearWhereSpacingsDiffer) {
     EXPECT_TRUE(std::ranges::includes(near, found));
     EXPECT_EQ(std::ranges::adjacent_find(found), found.end());
   }
+}
+
+TEST(LineNetwork, HasNoEdgeThatWindsRoundWhatIsThinner) {
+  const Surface surface = make_surface(cylinder(24, 4, 4));
+  const RadiusField radius(4.0);
+  ThreadPool pool(1);
+  const SurfacePatches patches = compared_patches(surface, radius, 3, pool);
+  LineNetwork network(surface, patches, radius);
+  uint32_t face = 0, corner = 0;
+  const auto height = [&](uint32_t k) { return surface.position(surface.face(face)[k % 3]).z(); };
+  while (height(corner) != height(corner + 1)) ++corner;
+  const SurfacePoint start = make_point(face, 0.4, 0.3, 0.3);
+  const uint32_t node = network.add_node(network.make_node(start, 0, 0));
+  const Vec2 once = 24.0 * surface.along(3 * face + corner);
+  const auto touches = [&](double turns) {
+    Path path;
+    const Trace trace = trace_geodesic(surface, start, turns * once, path);
+    EXPECT_FALSE(trace.hit_boundary);
+    return network.touches(node, kNone, trace.end, path);
+  };
+  EXPECT_FALSE(touches(0.4));
+  EXPECT_FALSE(touches(0.9));
+  EXPECT_TRUE(touches(1.1));
+  EXPECT_TRUE(touches(-3));
 }
 
 }  // namespace

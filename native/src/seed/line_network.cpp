@@ -15,6 +15,14 @@
 namespace meander {
 namespace {
 
+/// Whether a path crosses an edge twice the same way.
+bool winds(const Path& path) {
+  std::vector<HalfEdge> crossed(path.size());
+  std::ranges::transform(path, crossed.begin(), [](const Crossing& c) { return c.e; });
+  std::ranges::sort(crossed);
+  return std::ranges::adjacent_find(crossed) != crossed.end();
+}
+
 /// Whether the rectangles round two pieces have nothing in common: seldom else in a face that holds many.
 bool boxes_apart(const Piece& p, const Piece& q) {
   const auto beside = [](double a, double b, double c, double d) {
@@ -66,6 +74,7 @@ void LineNetwork::pieces_of(uint32_t edge, uint32_t from, uint32_t to, const Sur
 }
 
 bool LineNetwork::touches(uint32_t from, uint32_t to, const SurfacePoint& end, const Path& path) const {
+  if (winds(path)) return true;
   bool any = false;
   pieces_of(kNone, from, to, nodes_[from].point, end, path, [&](const Owned& mine) {
     if (any) return;

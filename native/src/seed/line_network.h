@@ -56,7 +56,8 @@ class LineNetwork {
 
   Node make_node(const SurfacePoint& p, uint32_t line, double arc) const;
   uint32_t add_node(const Node& node);
-  /// Whether an edge from node `from` to a point, which is node `to` or, kNone, none yet, would touch any other.
+  /// Whether an edge from node `from` to a point, which is node `to` or, kNone, none yet, would touch any other, or
+  /// itself: it winds round what is thinner than it is long, as a needle.
   bool touches(uint32_t from, uint32_t to, const SurfacePoint& end, const Path& path) const;
   /// An edge that a walk meets, and how far both have come there.
   struct Meeting {
