@@ -55,6 +55,26 @@ TEST(Progress, RisesThroughAllPhases) {
   EXPECT_NEAR(last, 1, 1e-12);
 }
 
+TEST(Progress, OfALaidCurveRisesThroughAllPhases) {
+  const FlowSettings settings = with_polish();
+  double last = 0;
+  const auto rises = [&](Phase phase, uint32_t iterations, double laid) {
+    ProgressFigures figures = at(phase, iterations, 1);
+    figures.full = true;
+    figures.laid = laid;
+    const double progress = progress_of(settings, figures);
+    EXPECT_GE(progress, last);
+    last = progress;
+  };
+  for (double laid = 0; laid < 1; laid += 0.1) rises(Phase::kStarting, 0, laid);
+  for (const Phase phase : {Phase::kGrowing, Phase::kPolishing, Phase::kFinishing}) {
+    for (uint32_t k = 0; k < 100; ++k) rises(phase, k, 1);
+    EXPECT_LT(last, 1);
+  }
+  for (uint32_t k = 0; k <= 6; ++k) rises(Phase::kCooling, k, 1);
+  EXPECT_NEAR(last, 1, 1e-12);
+}
+
 TEST(Progress, IsNoLessThanTheShareOfTheLimit) {
   FlowSettings settings = with_polish();
   settings.iteration_limit = 40;

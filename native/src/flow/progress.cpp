@@ -44,8 +44,9 @@ double slowed(double x) {
 double share_with_polish(const FlowSettings& settings, const ProgressFigures& figures) {
   const double removal = figures.full ? 0 : settings.hairpin_removal_iterations;
   const double polish = polish_iterations(settings, figures.full);
-  const double finishing = settings.growth_coarsening * kFinishingIterations;
-  const double cooling = settings.growth_coarsening * kCoolingIterations;
+  const double fine = figures.full ? kFineWhereLaid : settings.growth_coarsening;  // an iteration with short segments
+  const double settling = figures.full ? kFullFinishingIterations : kFinishingIterations;
+  const double finishing = fine * settling, cooling = fine * kCoolingIterations;
   const double laying = kLayingWork * (1 + laying_of_faces(figures.faces_a_node));
   const double growth = figures.full ? laying + kFullGrowthIterations : kGrowthWork;
   const double all = growth + removal + polish + finishing + cooling;
@@ -63,8 +64,8 @@ double share_with_polish(const FlowSettings& settings, const ProgressFigures& fi
     case Phase::kLayingRest: done *= share_of_growth(figures.length / figures.expected_length); break;
     case Phase::kHairpinRemoval: done += std::min(age, removal); break;
     case Phase::kPolishing: done += removal + std::min(age, polish); break;
-    case Phase::kFinishing: done += removal + polish + finishing * slowed(age / kFinishingIterations); break;
-    case Phase::kCooling: done = all - cooling + std::min(settings.growth_coarsening * age, cooling); break;
+    case Phase::kFinishing: done += removal + polish + finishing * slowed(age / settling); break;
+    case Phase::kCooling: done = all - cooling + std::min(fine * age, cooling); break;
   }
   return done / all;
 }
