@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
+from .geometry.blocks import blocks
 
 # Bytes for each point of the curve object: itself, an undo step, and its body where it has
 # one.
@@ -33,10 +34,6 @@ _ALONE = 0.1
 # Seconds of a processor in which a node of a symmetric curve is laid on the surface: 4.6e-6 to
 # 5.7e-6 measured, besides .1 s.
 _LAYING = 5e-6
-
-
-# So many faces are measured at a time: what numpy makes of them stays in the processor's cache.
-_BLOCK = 1 << 13
 
 
 @dataclass(frozen=True)
@@ -64,8 +61,8 @@ def extent_of(
     # With room on both sides: where its result lies right beside an argument, numpy takes another
     # arctan2, which differs in the last bit, and the same mesh would have two estimates.
     angles = np.empty(3 * len(faces) + 2)[1:-1].reshape(3, -1)
-    for begin in range(0, len(faces), _BLOCK):
-        some = slice(begin, begin + _BLOCK)
+    for begin, end in blocks(len(faces)):
+        some = slice(begin, end)
         # Space by space, each of three corners, so that all numpy touches lies side by side.
         x, y, z = np.moveaxis(vertices[faces[some].T], 2, 0).copy()
         dx, dy, dz = (np.roll(axis, -1, axis=0) - axis for axis in (x, y, z))

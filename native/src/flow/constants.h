@@ -17,6 +17,9 @@ inline constexpr double kMeanSegment = 1.39;                // h; 1 to 2; above
 /// More nodes than this are refused, for want of memory.
 inline constexpr double kMostNodes = 5e8;                   // nodes; > 0; free
 
+/// A curve of so many times as many nodes has become finer, and takes other memory.
+inline constexpr double kMuchFiner = 1.5;                   // times; 1 to 2; free
+
 /// Samples of the boundary are at most this far apart.
 inline constexpr double kBoundarySampling = 0.5;            // h; > 0; free
 
@@ -343,9 +346,6 @@ inline constexpr size_t kNodesOfLongIteration = 1000000;    // nodes; >= 1; free
 inline constexpr double kIterationMeasured = 0.55;          // share of the time; 0 to 1; above
 inline constexpr double kIterationSolved = 0.7;             // share of the time; kIterationMeasured to 1; above
 inline constexpr double kIterationMoved = 0.9;              // share of the time; kIterationSolved to 1; above
-
-/// A curve of so many times as many nodes has become finer.
-inline constexpr double kMuchFiner = 1.5;                   // times; 1 to 2; free
 
 /// From here on progress follows ever more slowly, so that it stays below 1 however long a run takes.
 inline constexpr double kSlowedFrom = 0.7;                  // share of the time; 0 to 1; free
