@@ -215,7 +215,7 @@ def test_a_crumpled_surface_takes_longer():
     options = options_of("even", 0.1)
     plain = core.estimate_cost(core.Extent(0, 50.0, 50.0, 0.0), options)
     crumpled = core.estimate_cost(core.Extent(0, 50.0, 50.0, 0.0, 1e4), options)
-    assert 2.0 < crumpled.processor_seconds / plain.processor_seconds < 8.0
+    assert 1.3 < crumpled.processor_seconds / plain.processor_seconds < 2.5
     assert crumpled.nodes == plain.nodes
 
 
@@ -229,8 +229,8 @@ def test_what_a_mask_leaves_out_is_no_part_of_the_extent():
     assert extent.length_area == pytest.approx(2.0 * area)
 
 
-# Runs of the batch command from a full start on tori like those of docs/performance.md, on two
-# threads: faces, length of edges over area, curvature, spacing; processor seconds, and bytes of the
+# Runs of the batch command from a full start, on tori like those of docs/performance.md, on two
+# threads, and a rough ball on one: faces, length of edges over area, curvature, spacing; processor seconds, and bytes of the
 # process.
 MANY_FACES = [
     (100_110, 191.7, 4.1, 0.08, 2.0, 135e6),
@@ -239,6 +239,7 @@ MANY_FACES = [
     (2_999_250, 1049.2, 43.1, 0.04, 25.0, 1700e6),
     (2_999_250, 1049.2, 43.1, 0.08, 23.8, 1690e6),
     (9_999_808, 1915.8, 134.2, 0.04, 76.9, 5435e6),
+    (1_002_528, 564.7, 128.8, 0.1334, 8.5, 943e6),  # a ball that is smoothed
 ]
 
 

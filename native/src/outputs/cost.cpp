@@ -70,21 +70,24 @@ Cost expected_cost(const Extent& extent, const FlowSettings& settings) {
   constexpr double kMost = std::numeric_limits<double>::max();
   cost.points = cost.nodes + kEdgesCrossed * std::min(cost.length, kMost) * std::min(extent.edge_density, kMost);
 
+  const double of_disc = std::numbers::pi * r * r * std::min(extent.curvature, kMost);
+  const bool is_smoothed = along_surface && settings.roughness < 1 && of_disc > kSmoothedFrom;
   const double per_node =
       kBytesPerNode + (settings.polish ? kPolishPerNode : 0) + (along_surface ? kGeodesicPerNode : 0);
   const double of_nodes = std::min(per_node * cost.nodes, kLongPerNode * cost.nodes + kBesideLong);
   const double flow = of_nodes + kFlowPerFace * extent.faces;
   // Gone before the curve is long.
   const double set_up = std::max(along_surface ? kPatchesPerFace : 0, settings.full_start ? kLayingBytesPerFace : 0);
-  cost.memory = kSurfacePerFace * extent.faces + std::max(flow, set_up * extent.faces);
+  const double surfaces = (is_smoothed ? 2 : 1) * kSurfacePerFace;
+  cost.memory = surfaces * extent.faces + std::max(flow, set_up * extent.faces);
 
-  const double of_disc = std::numbers::pi * r * r * std::min(extent.curvature, kMost);
   const double measuring = along_surface ? kSecondsPerRadian * std::min(of_disc, kMostRadians) : 0;
   const double near = settings.full_start ? std::min(cost.points, 2 * cost.nodes) : cost.points;
   const double further = std::min(cost.points, kMost) - near;
   const double iteration = (kSecondsPerNode + measuring) * cost.nodes + kSecondsPerPoint * near +
                            kSecondsPerFurtherPoint * std::max(further, 0.0);
-  const double of_face = kSecondsPerFace + (settings.full_start ? kLayingPerFace : 0);
+  const double of_face =
+      kSecondsPerFace + (settings.full_start ? kLayingPerFace : 0) + (is_smoothed ? kSmoothingPerFace : 0);
   const double faces = cost.nodes > 0 ? extent.faces : 0;  // without an area there is no run
   cost.processor_seconds = of_face * faces + iterations_of(cost.nodes, settings) * iteration;
   return cost;
