@@ -21,9 +21,9 @@ namespace {
 
 constexpr double kMost = 3;
 
-std::vector<Vec2> limbs_of(const Surface& surface, double r) {
+std::vector<Vec2> limbs_of(const Surface& surface, double r, double most = kMost) {
   ThreadPool pool(1);
-  return bending_of_limbs(surface, compared_patches(surface, RadiusField(r), 3, pool), RadiusField(r), kMost, pool);
+  return bending_of_limbs(surface, compared_patches(surface, RadiusField(r), 3, pool), RadiusField(r), most, pool);
 }
 
 TEST(Limbs, LieAlongATubeThatIsThin) {
@@ -45,6 +45,25 @@ TEST(Limbs, LieAlongATubeThatIsThin) {
       const auto held = std::ranges::count_if(limbs, [](Vec2 v) { return norm(v) > 0; });
       EXPECT_GT(static_cast<double>(held), 0.4 * static_cast<double>(limbs.size()));
     }
+  }
+}
+
+/// A line that winds round a tube at an angle has the girth times the cosine of that from one turn to the next.
+TEST(Limbs, WindAsSteeplyAsALineHasRoom) {
+  for (const double girth : {4.2, 5.0, 6.0}) {
+    SCOPED_TRACE(girth);
+    const Surface surface = make_surface(cylinder(8, 160, 100));
+    const double round = 16 * std::sin(kPi / 8) / surface.scale();
+    const std::vector<Vec2> limbs = limbs_of(surface, round / girth, 6.4);
+    ASSERT_EQ(limbs.size(), surface.face_count());
+    for (uint32_t f = 0; f < surface.face_count(); ++f) {
+      if (norm(limbs[f]) == 0) continue;  // near an end
+      const Vec2 axis = unit(surface.to_plane(f, Vec3::UnitZ())), twice = unit(limbs[f]) * conj(axis * axis);
+      EXPECT_GT(twice.y, 0);  // one way all over
+      EXPECT_NEAR(girth * std::sqrt(0.5 * (1 + twice.x)), 3.7, 0.2);
+    }
+    const auto held = std::ranges::count_if(limbs, [](Vec2 v) { return norm(v) > 0; });
+    EXPECT_GT(static_cast<double>(held), 0.4 * static_cast<double>(limbs.size()));
   }
 }
 
@@ -99,6 +118,36 @@ TEST(Limbs, HaveLinesAlongThemInEveryVariation) {
       const double least = 4 / (0.25 * kPi * girth), packing = full.length() * 2 * r / surface->area();
       EXPECT_LT(packing, 1.2 * least);
       EXPECT_GT(packing, 0.4 * least);
+    }
+  }
+}
+
+/// A ball drawn out to a tube of radius 1 with round ends.
+Mesh capsule(double length) {
+  Mesh mesh = sphere(4);
+  for (size_t k = 0; k < mesh.vertices.size(); k += 3) {
+    const double x = mesh.vertices[k];
+    mesh.vertices[k] += std::abs(x) < 1e-9 ? 0 : std::copysign(0.5 * length, x);
+  }
+  return mesh;
+}
+
+/// From a spacing and a half round on, two strands can lie at their spacing, one beside the other or wound round.
+TEST(Limbs, AreFilledEvenlyInEveryVariation) {
+  for (const double girth : {4.0, 4.5, 5.0, 5.5, 6.0}) {
+    const auto surface = std::make_shared<const Surface>(make_surface(capsule(40)));
+    const double spacing = 4 * kPi / girth, r = 0.5 * spacing / surface->scale();
+    const Flow first(surface, nullptr, {}, checked_settings(options_of(spacing), *surface));
+    ThreadPool pool(1);
+    for (uint32_t variation = 0; variation < 4; ++variation) {
+      SCOPED_TRACE(std::to_string(girth) + " " + std::to_string(variation));
+      const Curve full = full_start(*surface, first.curve(), 0, RadiusField(r), {}, nullptr, 0.5, pool,
+                                    StartLines::kPhase, variation)
+                             .curve;
+      EXPECT_TRUE(exact_crossings(*surface, full).empty());
+      const double packing = full.length() * 2 * r / surface->area();
+      EXPECT_LT(packing, 1.15);
+      EXPECT_GT(packing, 0.8);
     }
   }
 }

@@ -89,16 +89,22 @@ inline constexpr double kClampOfPatches = 3;          // r; > 2; free
 inline constexpr double kAlongStrips = 6.4;           // r; > kTwoAlongStrips; "Narrow strips"
 inline constexpr double kTwoAlongStrips = 16.0 / 3;   // r; > 4; geometry
 
-/// Lines lead along limbs that are less than this round: where there is as little room round a limb, those that wind
-/// round it come too near to themselves.
-inline constexpr double kThinLimb = 3;                // r; > 2; "Along thin limbs"
+/// Lines lead along limbs that are less than kThinLimb round: where there is as little room round a limb, those that
+/// wind round it come too near to themselves. A single one that has more room than kBesideItself winds until it comes
+/// so near; strands on a limb draw apart by some percent, so it is less than 4 r. A limb goes on by as much as it is
+/// round, and by kLeastLimb.
+inline constexpr double kThinLimb = 6.4;              // r; > 4; "Along thin limbs"
+inline constexpr double kBesideItself = 3.7;          // r; > 0; "Along thin limbs"
+inline constexpr double kLeastLimb = 3;               // r; > 0; "Along thin limbs"
 
 /// From a place walks lead in so many directions, half a turn in all. The one that leaves most nearly round a limb
 /// misses its beginning by .38 of its length at most, and what misses by more than half of it has not come back.
+/// It has faced away by half of its way, or kFacesAway of the longest.
 /// A limb goes on where a walk along it comes so far straight ahead through space. Limbs that are less than two
 /// kLimbStep round are not seen.
 inline constexpr uint32_t kWalksRoundLimb = 4;        // walks; >= 2; geometry
 inline constexpr double kMostMissed = 0.5;            // share of its length; 0.38 to 1; above
+inline constexpr double kFacesAway = 0.6;             // share of the longest; 0.54 to 1; geometry
 inline constexpr double kLimbGoesOn = 0.5;            // share of its length; 0 to 1; "Along thin limbs"
 inline constexpr double kLimbStep = 0.2;              // r; > 0; free
 

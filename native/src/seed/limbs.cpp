@@ -31,9 +31,9 @@ Vec2 round_by_walk(const Surface& s, const SurfacePoint& from, Vec2 direction, d
   Chart chart = Chart::at(from, start);
   Vec2 best = kNoWay;
   bool faced_away = false;
-  const double longest = most / (1 - kMostMissed);
+  const double longest = most / std::sqrt(1 - kMostMissed * kMostMissed);
   for (double length = step; length < longest && !chart.at_boundary; length += step) {
-    if (!faced_away && length > most) break;
+    if (!faced_away && length > kFacesAway * most) break;
     const Vec3 before = chart.position;
     chart.advance(s, step * (conj(chart.turn) * direction));
     const double facing = s.face_normal(chart.point.face).dot(up);
@@ -44,6 +44,12 @@ Vec2 round_by_walk(const Surface& s, const SurfacePoint& from, Vec2 direction, d
     if (norm(way) < norm(best)) best = way;
   }
   return best;
+}
+
+/// What turns a line along a limb to one that lies once on it, kBesideItself from itself, if that has room.
+Vec2 turn_on_limb(double round, double r) {
+  const double share = std::min(kBesideItself * r / round, 1.0);
+  return {share, std::sqrt(1 - share * share)};
 }
 
 Vec2 shortest_round(const Surface& s, const SurfacePoint& from, double r, double most) {
@@ -58,10 +64,9 @@ Vec2 shortest_round(const Surface& s, const SurfacePoint& from, double r, double
   return best;
 }
 
-/// Whether a limb goes on by `most` r both ways along it, and a walk comes back round it there too: tips do not, nor
-/// short horns.
+/// Whether a limb goes on both ways along it, and a walk comes back round it there too: tips do not, nor short horns.
 bool goes_on(const Surface& s, const SurfacePoint& from, Vec2 round, double r, double most) {
-  const double far = most * r;
+  const double far = std::max(kLeastLimb * r, norm(round));
   const Vec3 start = position(s, from);
   for (const Vec2 along : {Vec2{0, far} * unit(round), Vec2{0, -far} * unit(round)}) {
     Chart chart = Chart::at(from, start);
@@ -85,6 +90,7 @@ std::vector<Vec2> bending_of_limbs(const Surface& surface, const SurfacePatches&
   }
   // Per patch, along the limb: as long as by how much the square of its bending is too much.
   std::vector<Vec3> along(patches.count(), Vec3::Zero());
+  std::vector<Vec2> turned(patches.count());
   pool.for_blocks(patches.count(), kPatchesPerBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t p = begin; p < end; ++p) {
       // The other side of a limb is near through space and faces away, or is of the same patch.
@@ -96,13 +102,14 @@ std::vector<Vec2> bending_of_limbs(const Surface& surface, const SurfacePatches&
       const double bent = square_of_bending(norm(round)) - square_of_bending(most * r);
       if (!(bent > 0) || !goes_on(surface, from, round, r, most)) continue;
       along[p] = surface.to_space(face[p], bent * unit(Vec2{0, 1} * round));
+      turned[p] = turn_on_limb(norm(round), r);
     }
   });
   if (std::ranges::all_of(along, [](const Vec3& a) { return a.isZero(); })) return {};
   std::vector<Vec2> bending(surface.face_count());
   pool.for_each(bending.size(), kMeshGrain, [&](uint32_t f) {
     const Vec3& limb = along[patch[f]];
-    const Vec2 seen = unit(surface.to_plane(f, limb));
+    const Vec2 seen = turned[patch[f]] * unit(surface.to_plane(f, limb));
     bending[f] = surface.face_area(f) * limb.norm() * (seen * seen);
   });
   return bending;
