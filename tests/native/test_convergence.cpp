@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "curve/refinement.h"
+#include "flow/clamped_nodes.h"
 #include "flow/constants.h"
 #include "flow/convergence.h"
 #include "curves.h"
@@ -446,6 +447,46 @@ TEST(Convergence, OfWhatIsMostlyLaid) {
     while (grows_in(n.convergence.phase())) note();
     EXPECT_EQ(n.convergence.phase(), laid > 2 ? Phase::kPolishing : Phase::kHairpinRemoval);
     EXPECT_EQ(n.convergence.began_full(), laid > 2);
+  }
+}
+
+/// What lies in balance when growth would end is pushed first, once, however little it is.
+TEST(Convergence, OfWhatLiesInBalance) {
+  for (const double share : {0.0, 1e-4, 0.1}) {
+    Noting n(true);
+    IterationFigures figures;
+    figures.length = 1;
+    figures.wanted = figures.moved = 1;
+    figures.balanced_share = share;
+    const auto note = [&] { n.convergence.note(n.surface, n.curve, n.metric, figures, n.pool); };
+    while (n.convergence.phase() == Phase::kGrowing) note();
+    EXPECT_EQ(n.convergence.phase() == Phase::kLoosening, share > 0);
+    while (n.convergence.phase() == Phase::kLoosening) note();
+    EXPECT_FALSE(grows_in(n.convergence.phase()));
+  }
+}
+
+/// A strand lies in balance where it has room for a whole wave; shorter ones are what two tips leave between them.
+TEST(Convergence, ABalancedStretchIsAsLongAsAWave) {
+  const Surface s = make_surface(Mesh{{-1, -1, 0, 1, -1, 0, 0, 1, 0}, {0, 1, 2}});
+  constexpr uint32_t kNodes = 100;
+  constexpr double kRadius = 0.004;
+  Curve curve;
+  const Vec2 middle = flat(s, SurfacePoint{0, {1.0 / 3, 1.0 / 3}});
+  for (uint32_t k = 0; k < kNodes; ++k) add_node(curve, point_at(s, 0, middle + Vec2{0.25 * k * kRadius, 0}));
+  curve.strands.push_back({0, kNodes, false});
+  curve.link();
+  join_in_face(s, curve);
+  const LocalMetric metric = even_metric(curve, kRadius, 4 * kRadius);
+  ThreadPool pool(1);
+  for (const uint32_t roomy : {0u, 20u, 31u, 33u, 70u}) {  // 8 r are 32 segments
+    NodeData<Radii> radii(kNodes, {kRadius, kRadius});
+    for (uint32_t k = 10; k < 10 + roomy; ++k) radii[k] = {1.7 * kRadius, 2 * kRadius};
+    EXPECT_DOUBLE_EQ(balanced_share(curve, radii, metric, pool), roomy > 32 ? roomy / 100.0 : 0);
+    for (uint32_t k = 10; k < 10 + roomy; ++k) radii[k] = {1.7 * kRadius, 4 * kRadius};
+    EXPECT_DOUBLE_EQ(balanced_share(curve, radii, metric, pool), roomy > 32 ? roomy / 100.0 : 0);
+    for (uint32_t k = 10; k < 10 + roomy; ++k) radii[k] = {1.4 * kRadius, 2 * kRadius};
+    EXPECT_EQ(balanced_share(curve, radii, metric, pool), 0);
   }
 }
 

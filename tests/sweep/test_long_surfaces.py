@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import pytest
 from long_shapes import SHAPES, area_of, square
-from long_surfaces import fill, is_wrong
+from long_surfaces import fill, is_wrong, stroke_at_the_end
+from meander import core
 
 
 @pytest.mark.parametrize(
@@ -30,3 +31,18 @@ def test_a_cone_that_holds_long_segments_is_filled(pieces: int) -> None:
     stalled, with .14 and .16 of the area empty."""
     row = fill(SHAPES["cone"](10, 0.8, pieces), None, "nothing", 0)
     assert not is_wrong(row) and row["strands"] == 1
+
+
+def test_little_that_lies_in_balance_is_pushed_too() -> None:
+    """What grows from a stroke runs ahead in four strands, and then the rest is laid: a stretch of
+    thirty spacings, which is little of all, kept four strands in place of eight, and places two
+    radii from any. Of 5,000 spacings .0012 stayed empty."""
+    mesh = SHAPES["strip"](1000, 8, 1)
+    options = core.default_options("even")
+    options.radius = 0.5
+    with core.Surface(mesh.vertices, mesh.faces) as surface:
+        flow = core.Flow(surface, options, stroke_at_the_end(mesh))
+    with flow:
+        assert flow.run() == "converged"
+        assert flow.gaps().radii[0] < 1.8 * options.radius
+        assert flow.statistics()["crossings"] == 0

@@ -41,12 +41,28 @@ double alone_share(const Curve& curve, const NodeData<Radii>& radii, const NodeD
   return alone / free_nodes(curve, pool);
 }
 
-double slack_share(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric, ThreadPool& pool) {
-  const double slack = sum_over_free(curve, pool, [&](uint32_t i) {
+double balanced_share(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric, ThreadPool& pool) {
+  const auto is_slack = [&](size_t k) {
+    const auto i = static_cast<uint32_t>(k);
     const double least = std::min(radii[i][0], radii[i][1]);
     return least >= kSlack * metric.radius[i] && least < kClamped * metric.max_radius[i];
-  });
-  return slack / free_nodes(curve, pool);
+  };
+  if (pool.first(curve.size(), kNodeGrain, is_slack) == curve.size()) return 0;
+  double balanced = 0;
+  for (const Strand& strand : curve.strands) {
+    if (strand.guide) continue;
+    double length = 0, nodes = 0;
+    for (uint32_t i = strand.first; i <= strand.end(); ++i) {
+      if (i < strand.end() && is_slack(i)) {
+        ++nodes;
+        if (curve.has_segment(i)) length += curve.shapes[i].length / metric.radius[i];
+        continue;
+      }
+      if (length >= kPerturbationWavelength) balanced += nodes;
+      length = nodes = 0;
+    }
+  }
+  return balanced / free_nodes(curve, pool);
 }
 
 void perturb_empty_stretches(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric,
