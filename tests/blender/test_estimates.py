@@ -248,7 +248,7 @@ def test_a_question_names_the_export_where_blender_would_hang(monkeypatch):
             ask_run=lambda _mode, **given: asked.append(given)
         )))
     )
-    for points, radius in ((600_000, 0.2), (3_000_000, 0.2), (3_000_000, 0.0)):
+    for points, radius in ((600_000, 0.2), (3_000_000, 0.2), (2_000_000, 0.0)):
         operator = SimpleNamespace(
             _queue=SimpleNamespace(estimate_of_rest=lambda *_, n=points: Estimate(n, 1.0, 10**7)),
             _what=dict,
