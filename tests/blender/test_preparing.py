@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import bpy
 import numpy as np
@@ -209,13 +209,89 @@ def test_nothing_else_may_begin_meanwhile(held: Held) -> None:
 
 def test_nothing_is_measured_meanwhile(held: Held, monkeypatch: pytest.MonkeyPatch) -> None:
     running = begin(sphere(), SPACING)
-    measured: list[bpy.types.Object] = []
+    thing = running.plan.surface.find()
     monkeypatch.setattr(estimate, "_measured", {})
-    monkeypatch.setattr(estimate, "measure", measured.append)
-    assert estimate.shown([running.plan.surface.find()]) is None and estimate._ordered
-    assert estimate.measure_ordered() > 0.0 and not measured, "later"
+    assert estimate.shown([thing]) is None and estimate._ordered
+    assert estimate.measure_ordered() > 0.0 and not estimate._going.lasts, "later"
     running.end()
-    assert estimate.measure_ordered() is None and len(measured) == 1
+    held.free = math.inf
+    measure_all()
+    assert estimate.shown([thing]) is not None
+
+
+def measure_all() -> int:
+    """Lets the timer of the panel's estimate do all that is ordered; the number of its events."""
+    events = 1
+    while estimate.measure_ordered() is not None:
+        events += 1
+        time.sleep(0.01)
+    return events
+
+
+def ordered(monkeypatch: pytest.MonkeyPatch) -> bpy.types.Object:
+    """An object of many faces, which a panel shows that has not been measured yet."""
+    thing = sphere()
+    thing.meander.spacing = SPACING
+    monkeypatch.setattr(estimate, "_measured", {})
+    estimate._ordered.clear()
+    assert estimate.shown([thing]) is None
+    return thing
+
+
+def test_no_window_waits_while_many_faces_are_measured(
+    held: Held, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    thing = ordered(monkeypatch)
+    made = at_once(monkeypatch)
+    with monkeypatch.context() as at_once_only:
+        at_once_only.setattr(estimate, "extent_of", lambda *_: pytest.fail("measured in one go"))
+        for _ in range(5):
+            assert estimate.measure_ordered() > 0.0 and estimate.shown([thing]) is None
+        assert len(held.begun) == 1 and lasting.why_busy() is None
+        held.free = math.inf
+        assert measure_all() > 1 and len(held.begun) == 2 and not made
+    expected = estimate.of_plan(plan_run(bpy.context))
+    assert estimate.shown([thing]).points == pytest.approx(expected.points, rel=1e-6)
+
+
+@pytest.mark.parametrize("end", [lasting.leave_file, lasting.end_all])
+def test_what_is_measured_ends_with_the_file(
+    held: Held, monkeypatch: pytest.MonkeyPatch, end: Callable[[], None]
+) -> None:
+    ordered(monkeypatch)
+    for _ in range(5):
+        estimate.measure_ordered()
+    end()
+    assert not estimate._going.lasts and all(one._pointer is None for one in held.begun)
+    assert estimate.measure_ordered() is None
+
+
+def test_a_run_ends_what_is_measured_and_it_is_measured_later(
+    held: Held, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    thing = ordered(monkeypatch)
+    for _ in range(5):
+        estimate.measure_ordered()
+    running = begin(thing, SPACING)
+    assert estimate.measure_ordered() > 0.0 and not estimate._going.lasts
+    running.end()
+    held.free = math.inf
+    measure_all()
+    assert estimate.shown([thing]) is not None
+
+
+def test_what_changes_while_it_is_measured_is_measured_again(
+    held: Held, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    thing = ordered(monkeypatch)
+    estimate.measure_ordered()
+    thing.scale = (2.0, 1.0, 1.0)
+    bpy.context.view_layer.update()
+    held.free = math.inf
+    measure_all()
+    assert estimate.shown([thing]) is None and estimate._ordered
+    bpy.data.objects.remove(thing)
+    assert measure_all() == 1
 
 
 def test_a_wish_is_taken_when_the_run_has_begun(held: Held) -> None:

@@ -14,8 +14,9 @@ from .. import core
 
 T = TypeVar("T")
 
-# Yields each call that lasts, and is sent what it comes to, or thrown what it raises.
-Steps = Generator[core.Work[Any], Any, T]
+# Yields each call that lasts, and is sent what it comes to, or thrown what it raises; or None where
+# it has taken a while itself, for a window to live.
+Steps = Generator[core.Work[Any] | None, Any, T]
 
 
 def at_once(steps: Steps[T], context: core.Context | None = None) -> T:
@@ -27,7 +28,7 @@ def at_once(steps: Steps[T], context: core.Context | None = None) -> T:
         work = next(steps)
         while True:
             try:
-                result = work.now(context)
+                result = None if work is None else work.now(context)
             except BaseException as error:
                 work = steps.throw(error)
             else:
@@ -57,13 +58,25 @@ class Background:
         """
         while wait or self._begun is None or not self._begun.running:
             try:
-                self._begun = self._next().begin(self._context)
+                work = self._next()
             except StopIteration as end:
                 self.done = end.value
                 return True
+            if work is not None:
+                self._begun = work.begin(self._context)
+            elif not wait:
+                return False
         return False
 
-    def _next(self) -> core.Work[Any]:
+    def end(self) -> None:
+        """Ends them where they are."""
+        self._context.cancel()
+        begun, self._begun = self._begun, None
+        if begun is not None:
+            begun.close()
+        self._steps.close()
+
+    def _next(self) -> core.Work[Any] | None:
         if self._begun is None:
             return next(self._steps)
         begun, self._begun = self._begun, None

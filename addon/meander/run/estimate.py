@@ -15,9 +15,10 @@ import bpy
 
 from .. import core
 from ..model.estimate import Estimate, Speeds, estimated, extent_of, together
-from ..model.field import evaluated
+from ..model.field import evaluated, evaluating
 from ..model.options.option import as_typed
 from ..model.problem import Problem
+from ..model.steps import Background, Steps
 from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
 from ..scene.identity import Key, number_of
@@ -26,7 +27,8 @@ from ..scene.meshes import triangles_of
 from ..scene.options import options_of
 from ..scene.preparation import mask_of, repair_of, surface_options
 from ..scene.settings import is_untouched, surface_of
-from .lasting import Memory, why_busy
+from . import stepper
+from .lasting import Activity, Memory, why_busy
 from .meaning import Meaning, meaning_of
 from .plan import Plan
 from .window import redraw
@@ -35,6 +37,8 @@ from .window import redraw
 _SHARE = 0.1
 # When it is tried again, in seconds, after a run: its window is not to hang meanwhile.
 _LATER = 0.5
+# When it is looked, in seconds, whether what many faces come to is known.
+_TICK = 0.05
 # The setting whose changes need no new measuring.
 _ARITHMETIC = "spacing"
 
@@ -134,7 +138,6 @@ def of_plan_or_none(plan: Plan) -> Estimate | None:
         return None
 
 
-
 def extent_of_problem(problem: Problem) -> core.Extent:
     """What there is to fill. Raises core.MeanderError for a mesh at fault."""
     return _extent(
@@ -143,6 +146,8 @@ def extent_of_problem(problem: Problem) -> core.Extent:
 
 
 def _order(active: bpy.types.Object) -> None:
+    if _going.current is not None and _going.current.number == number_of(active):
+        return  # if it has changed meanwhile, it is ordered when that is seen
     _ordered.setdefault(number_of(active), Key(active))
     if not bpy.app.background and not bpy.app.timers.is_registered(measure_ordered):
         wait = max(0.0, _Pause.until - time.perf_counter())
@@ -150,47 +155,117 @@ def _order(active: bpy.types.Object) -> None:
 
 
 def measure_ordered() -> float | None:
-    """Measures one of what is ordered, if it is still selected; the rest at its next call. Nothing
-    while a curve grows, whose panel shows what is left of that."""
+    """Measures one of what is ordered, if it is still selected, or goes on with that; the rest at
+    its next call. Nothing while a curve grows, whose panel shows what is left of that."""
     if why_busy() is not None:
+        going = _going.current
+        if going is not None:
+            _ordered.setdefault(going.number, going.key)
+            _going.end()
         return _LATER
     begin = time.perf_counter()
+    thing = None if _going.lasts else _next_ordered()
+    if thing is not None:
+        _going.begin(_Going(thing))
+    going = _going.current
+    if going is not None:
+        over = going.steps.go_on()
+        end = time.perf_counter()
+        going.spent += end - begin
+        if not over:
+            return _TICK
+        _note(_going.taken())
+        _Pause.until = end + going.spent / _SHARE
+    redraw("UI")
+    return max(0.0, _Pause.until - time.perf_counter()) if _ordered else None
+
+
+def _next_ordered() -> bpy.types.Object | None:
+    """The first of what is ordered that is still selected; those before it are forgotten."""
     view_layer = bpy.context.view_layer
     while _ordered:
         thing = _ordered.pop(next(iter(_ordered))).find()
         if thing is None or view_layer.objects.get(thing.name) != thing:
             continue
         if thing == view_layer.objects.active or thing.select_get():
-            measure(thing)
-            break
-    end = time.perf_counter()
-    _Pause.until = end + (end - begin) / _SHARE
-    redraw("UI")
-    return _Pause.until - end if _ordered else None
+            return thing
+    return None
+
+
+class _Going:
+    """An object that is being measured.
+
+    steps   come to a _Measured, or to None
+    spent   seconds for which Blender has waited for them
+    """
+
+    def __init__(self, thing: bpy.types.Object) -> None:
+        self.key, self.number, self.spent = Key(thing), number_of(thing), 0.0
+        self.steps = Background(_measuring(self.key), core.Context())
+
+
+_going: Activity[_Going] = Activity(lambda going: going.steps.end())
 
 
 def measure(active: bpy.types.Object) -> None:
-    """Measures the surface of an object, so that shown() knows it."""
+    """Measures the surface of an object at once, so that shown() knows it."""
+    going = _Going(active)
+    going.steps.go_on(wait=True)
+    _note(going)
+
+
+def _note(going: _Going) -> None:
+    measured = going.steps.done
+    if measured is None:
+        return
+    _measured.pop(going.number, None)
+    _measured[going.number] = measured
+    if len(_measured) > _MOST:
+        del _measured[next(iter(_measured))]
+
+
+def _measuring(key: Key) -> Steps[_Measured | None]:
+    """Measures a surface. Of many faces with a pause where Blender has been read, and on a thread
+    of the library's; None where the object has changed meanwhile, which orders it again."""
+    active = key.find()
     meaning = meaning_of(active)
     if meaning is None:
-        return
+        return None
     extent, automatic = None, 0.0
     try:
+        vertices, faces = triangles_of(surface_of(active), bpy.context.evaluated_depsgraph_get())
+        meaning = meaning_of(active)
+        many = len(faces) >= stepper.MANY_FACES
+        if many:
+            yield None
+        automatic = core.automatic_spacing(vertices, faces)
+        if many:
+            yield None
+            active = key.find()
+            if not meaning.same_as(meaning_of(active)):
+                return None
         surface, settings = surface_of(active), settings_of(active)
         depsgraph = bpy.context.evaluated_depsgraph_get()
-        vertices, faces = triangles_of(surface, depsgraph)
-        automatic = core.automatic_spacing(vertices, faces)
         options = options_of(settings, as_typed(settings.spacing) or automatic)
         density = density_of(chosen_density(settings, surface), surface, depsgraph, options.radius)
         mended = repair_of(settings).options(vertices, options.radius)
         prepared = surface_options(mended, mask_of(settings), surface, depsgraph)
-        extent = _extent(vertices, faces, density, prepared, options)
+        if many:
+            extent = yield from _beside(vertices, faces, density, prepared, options)
+        else:
+            extent = _extent(vertices, faces, density, prepared, options)
+            meaning = meaning_of(active)
     except (DataError, core.MeanderError):
         pass  # the button says what is wrong
-    _measured.pop(number_of(active), None)
-    _measured[number_of(active)] = _Measured(meaning_of(active), extent, automatic)
-    if len(_measured) > _MOST:
-        del _measured[next(iter(_measured))]
+    return _Measured(meaning, extent, automatic)
+
+
+def _beside(vertices, faces, density, prepared, options) -> Steps[core.Extent]:
+    """_extent() on a thread of the library's."""
+    made = yield core.Surface.work(vertices, faces, prepared, options.threads)
+    with made as surface:
+        density = yield from evaluating(density, surface)
+        return (yield surface.extent_work(density))
 
 
 def _extent(vertices, faces, density, prepared, options) -> core.Extent:
