@@ -7,9 +7,11 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "api/lasting.h"
 #include "api_flows.h"
 #include "flow/progress.h"
 #include "test_seeds.h"
@@ -134,6 +136,47 @@ TEST(Progress, OfASurfaceAndAFlowRisesToOne) {
   settings.radius = 0.1;
   const Flow flow(surface, nullptr, {}, settings, {}, tell);
   check("flow");
+}
+
+/// Of many faces no part stands still for more than a quarter of the way: neither while a surface is made and looked
+/// through, nor while it is mended, nor while it is smoothed and cut into patches.
+TEST(Progress, OfManyFacesNeverStandsLong) {
+  const Mesh smooth = sphere(6), rough = with_noise(smooth, 0.3, 1);
+  Mesh doubled = smooth;
+  doubled.faces.insert(doubled.faces.end(), smooth.faces.begin(), smooth.faces.begin() + 3);
+  auto options = prepared<meander_surface_options>();
+  options.drop_doubled = options.drop_degenerate = options.make_manifold = 1;
+  options.weld_distance = 1e-6;
+  options.threads = 1;
+  const std::vector<std::pair<std::string, Mesh>> cases{{"smooth", smooth}, {"rough", rough}, {"doubled", doubled}};
+  for (const auto& [name, mesh] : cases) {
+    SCOPED_TRACE(name);
+    double last = 0, largest = 0;
+    const Tell tell = [&](double share) {
+      EXPECT_GE(share, last);
+      largest = std::max(largest, share - last);
+      last = share;
+    };
+    const auto check = [&](const char* what) {
+      SCOPED_TRACE(what);
+      EXPECT_LE(last, 1);
+      EXPECT_LE(std::max(largest, 1 - last), 0.25);
+      last = largest = 0;
+    };
+    const auto made = new_surface(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
+                                  &options, {}, tell);
+    check("surface");
+    FlowSettings settings = with_polish();
+    settings.threads = 1;  // of several the one that tells may have little to do
+    settings.radius = 0.02;
+    settings.segment_length = 0.5 * settings.radius;
+    settings.max_radius = 3 * settings.radius;
+    settings.medial_axis = MedialAxis::kGeodesic;
+    settings.roughness = 0;
+    const Flow flow(made->surface, nullptr, {}, settings, {}, tell);
+    EXPECT_EQ(flow.roughness().smoothing > 0, name == "rough");
+    check("flow");
+  }
 }
 
 /// Without a polish the quiet iterations, at whose number the paper's rule ends a run, lead to the end.

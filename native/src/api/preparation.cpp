@@ -9,7 +9,9 @@
 
 #include "api/constants.h"
 #include "api/structs.h"
+#include "base/tell.h"
 #include "base/thread_pool.h"
+#include "mesh/constants.h"
 #include "mesh/doubled_polygons.h"
 #include "mesh/mesh_check.h"
 #include "mesh/mesh_faults.h"
@@ -90,17 +92,15 @@ struct StrictSurface {
 
 StrictSurface strict_surface(std::span<const double> vertices, std::span<const uint32_t> faces,
                              const PrepareSettings& settings, unsigned threads, const CancelToken& cancel,
-                             const Tell& tell) {
+                             ToldInTurn& told) {
+  const auto count = static_cast<double>(faces.size() / 3);
+  const double making = kMakingSurface * count, seeking = kSeekingDoubles * count, finding = kFindingDoubles * count;
+  const double mending = time_of_preparation(faces.size() / 3, 0) + making;
   StrictSurface made;
   try {
-    made.surface = std::make_shared<const Surface>(vertices, faces, threads, cancel, part_of(tell, 0, kSurfaceMade));
-    if (tell) tell(kSurfaceMade);
+    const double usual = seeking + kMendedSurfaces * (finding + mending);
+    made.surface = std::make_shared<const Surface>(vertices, faces, threads, cancel, told.next(making, usual));
     const Surface& surface = *made.surface;
-    if (settings.drop_doubled && may_have_doubled_polygons(surface, settings.polygons, cancel)) {
-      Soup soup(vertices, faces, cancel);
-      soup.measure();
-      if (!find_doubled_polygons(soup, settings.polygons).faces.empty()) return {};
-    }
     std::vector<uint32_t> boundary;
     for (const HalfEdge e : surface.boundary()) {  // of a flipped face the half-edges 0 and 2 have changed places
       boundary.push_back(surface.flipped(e / 3) ? 3 * (e / 3) + 2 - e % 3 : e);
@@ -108,6 +108,17 @@ StrictSurface strict_surface(std::span<const double> vertices, std::span<const u
     std::ranges::sort(boundary);
     made.needs_mending = settings.weld_distance > 0 &&
                          has_seams(vertices, faces, std::move(boundary), settings.weld_distance, cancel);
+    const double after = made.needs_mending ? mending + kWeldingEdges * static_cast<double>(surface.boundary().size())
+                                            : kMendedSurfaces * mending;
+    const double doubles = made.needs_mending ? finding : kMendedSurfaces * finding;
+    constexpr uint32_t kPieces = 1u << 16;  // between two asks of the search
+    const TellingPoll poll(cancel, kPieces, kPiecesOfSeeking * surface.face_count(),
+                           told.next(seeking, doubles + after));
+    if (settings.drop_doubled && may_have_doubled_polygons(surface, settings.polygons, poll.token())) {
+      Soup soup(vertices, faces, cancel);
+      soup.measure();
+      if (!find_doubled_polygons(soup, settings.polygons, told.next(finding, after)).faces.empty()) return {};
+    }
   } catch (const Failure& failure) {
     if (failure.kind != FailureKind::kInvalidMesh) throw;
     return {};
@@ -127,15 +138,16 @@ std::unique_ptr<meander_surface> prepared_surface(std::span<const double> vertic
     return made;
   }
   check_numbers(vertices, faces);
+  ToldInTurn told(tell);
   StrictSurface strict;
-  if (settings.only_mends()) {
-    strict = strict_surface(vertices, faces, settings, options.threads, cancel, part_of(tell, 0, kStrictlyChecked));
-  }
+  if (settings.only_mends()) strict = strict_surface(vertices, faces, settings, options.threads, cancel, told);
   made->surface = strict.surface;
   if (!strict.needs_mending) return made;
-  PreparedMesh mesh = prepare_mesh(vertices, faces, settings, cancel);
-  if (tell) tell(kMended);
-  std::shared_ptr<const Surface> mended = surface_of(mesh, options.threads, cancel, part_of(tell, kMended, 1));
+  const size_t count = faces.size() / 3, open_edges = strict.surface ? strict.surface->boundary().size() : 0;
+  const double making = kMakingSurface * static_cast<double>(count);
+  PreparedMesh mesh = prepare_mesh(vertices, faces, settings, cancel,
+                                   told.next(time_of_preparation(count, open_edges), making), open_edges);
+  std::shared_ptr<const Surface> mended = surface_of(mesh, options.threads, cancel, told.next(making, 0));
   // Closing what looks like a seam is no mending where it takes a surface apart, as between the teeth of a comb.
   if (strict.surface && mended->component_count() > strict.surface->component_count()) return made;
   made->surface = std::move(mended);

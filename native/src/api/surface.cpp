@@ -25,6 +25,7 @@ std::unique_ptr<meander_surface> meander::new_surface(const double* vertices, si
   auto made =
       prepared_surface(std::span(vertices, 3 * vertex_count), std::span(faces, 3 * face_count), o, cancel, tell);
   cancel.now();
+  if (tell) tell(1);
   return made;
 }
 

@@ -16,10 +16,27 @@ std::shared_ptr<const BoundaryObstacle> sampled_boundary(const Surface& surface,
 }
 
 std::shared_ptr<const SurfacePatches> patches_for(const Surface& surface, const RadiusField& radius,
-                                                  const FlowSettings& settings, ThreadPool& pool) {
+                                                  const FlowSettings& settings, ThreadPool& pool,
+                                                  const Tell& tell = {}) {
   if (settings.medial_axis != MedialAxis::kGeodesic) return nullptr;
   return std::make_shared<const SurfacePatches>(
-      compared_patches(surface, radius, settings.max_radius / settings.radius, pool));
+      compared_patches(surface, radius, settings.max_radius / settings.radius, pool, tell));
+}
+
+/// The shares of a domain's time that have passed when it is seen whether the surface is rough, and when it has been
+/// smoothed where it is. As nothing tells before whether it is, the first lies in the middle between what it would be
+/// with and without that.
+struct ScaleShares {
+  double looked, smoothed;
+};
+
+ScaleShares shares_of_scale(const Surface& surface, const RadiusField& radius) {
+  const auto faces = static_cast<double>(surface.face_count());
+  const PatchTimes patches = times_of_patches(surface, radius);
+  const double looking = kLookingFace * faces, smoothing = kSmoothingFace * faces;
+  const double after = patches.cutting + patches.comparing;
+  const double looked = (looking / (looking + after) + looking / (looking + smoothing + after)) / 2;
+  return {looked, looked + (1 - looked) * smoothing / (smoothing + after)};
 }
 
 double filling_length(const Surface& surface, const RadiusField& radius) {
@@ -54,10 +71,9 @@ Domain::Domain(std::shared_ptr<const Surface> where, RadiusField asked, LineFiel
       radius(wanted_radius),
       directions(std::move(field)),
       normals(std::make_shared<const NormalField>(*given, settings.radius)) {
-  look_at_scale(settings, pool);
-  if (tell) tell(kSmoothed);
+  const double scaled = look_at_scale(settings, pool, tell);
   boundary = sampled_boundary(*surface, settings);
-  patches = patches_for(*surface, wanted_radius, settings, pool);
+  patches = patches_for(*surface, wanted_radius, settings, pool, part_of(tell, scaled, 1));
   if (tell) tell(1);
   look_at_lines(settings);
 }
@@ -77,16 +93,20 @@ void Domain::set_radius(double factor, const Curve& curve, const FlowSettings& s
   radius = std::move(next);
 }
 
-/// Finds the surface at the scale of r as it is asked for, and what follows from both.
-void Domain::look_at_scale(const FlowSettings& settings, ThreadPool& pool) {
+/// Finds the surface at the scale of r as it is asked for, and what follows from both. Returns how much of the domain's
+/// time has passed then.
+double Domain::look_at_scale(const FlowSettings& settings, ThreadPool& pool, const Tell& tell) {
   const bool along_surface = settings.medial_axis == MedialAxis::kGeodesic;
-  SurfaceAtScale found = at_scale(given, asked_radius, along_surface ? settings.roughness : 1, pool);
+  const ScaleShares shares = tell ? shares_of_scale(*given, asked_radius) : ScaleShares{0, 0};
+  SurfaceAtScale found = at_scale(given, asked_radius, along_surface ? settings.roughness : 1, pool,
+                                  part_of(tell, 0, shares.looked), part_of(tell, shares.looked, shares.smoothed));
   surface = std::move(found.surface);
   roughness = found.roughness;
   rest = settings.rest(!directions.empty());
   wanted_radius.set_multiple(RadiusField::multiplied(asked_radius, found.shrinkage), 1 / rest);
   radius = wanted_radius;
   expected_length = filling_length(*surface, wanted_radius);
+  return surface == given ? shares.looked : shares.smoothed;
 }
 
 void Domain::look_at_lines(const FlowSettings& settings) {

@@ -94,7 +94,7 @@ struct Domain {
   std::shared_ptr<const NormalField> normals;     ///< of the given surface, found when they are asked for
 
  private:
-  void look_at_scale(const FlowSettings& settings, ThreadPool& pool);
+  double look_at_scale(const FlowSettings& settings, ThreadPool& pool, const Tell& tell = {});
   void look_at_lines(const FlowSettings& settings);
 };
 

@@ -53,6 +53,7 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
   work_.refiner.cut_guides(state_, plan(), pool);
   state_.domain.set_radius(approach_.factor(), state_.curve, settings);
   work_.refiner.refine(state_, plan(), pool);
+  if (tell) tell(1);
 }
 
 void Flow::set_field(LineField field) { state_.domain.follow(std::move(field), state_.settings, pool_); }

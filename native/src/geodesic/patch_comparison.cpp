@@ -20,7 +20,8 @@ namespace meander {
 /// Compares every patch with those that are near it.
 class SurfacePatches::Comparison {
  public:
-  static SurfacePatches patches_of(const Surface& surface, const RadiusField& radius, double clamp, ThreadPool& pool);
+  static SurfacePatches patches_of(const Surface& surface, const RadiusField& radius, double clamp, ThreadPool& pool,
+                                   const Tell& tell);
 
   Comparison(SurfacePatches& patches, const Cutter& cut, ThreadPool& pool)
       : patches_(patches),
@@ -28,16 +29,18 @@ class SurfacePatches::Comparison {
         grid_(cut.centre, (kComparedReach + kPatchSize) * least(cut.r), (kComparedReach + kPatchSize) * largest(cut.r)),
         steps_(patches, cut.centre, pool) {}
 
-  void compare(double clamp, ThreadPool& pool) {
+  void compare(double clamp, ThreadPool& pool, const Tell& tell) {
     const uint32_t n = patches_.count();
     constexpr size_t kBlock = 256;
     std::vector<std::vector<uint32_t>> hidden(n);
     SpareMemory<Scratch> spare;
+    CountedPieces told(part_of(tell, 0, kPatchesCompared), n);
     pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
       Scratch scratch = spare.take();
       scratch.search.begin(n);
       for (auto p = static_cast<uint32_t>(begin); p < end; ++p) compare(p, scratch, hidden[p]);
       spare.give_back(std::move(scratch));
+      told.add(end - begin);
     });
     patches_.hidden_in_.resize(n);
     for (uint32_t p = 0; p < n; ++p) add_hidden(p, hidden[p]);
@@ -164,11 +167,13 @@ class SurfacePatches::Comparison {
 };
 
 SurfacePatches SurfacePatches::Comparison::patches_of(const Surface& surface, const RadiusField& radius, double clamp,
-                                                      ThreadPool& pool) {
+                                                      ThreadPool& pool, const Tell& tell) {
+  const PatchTimes times = tell ? times_of_patches(surface, radius) : PatchTimes{1, 0};
+  const double cut = times.cutting / (times.cutting + times.comparing);
   SurfacePatches patches;
   Cutter cutter(patches, surface, radius);
-  cutter.cut(pool);
-  Comparison(patches, cutter, pool).compare(clamp, pool);
+  cutter.cut(pool, part_of(tell, 0, cut));
+  Comparison(patches, cutter, pool).compare(clamp, pool, part_of(tell, cut, 1));
   const auto creased = [](const Traits& t) { return t.creased != Crease::kFlat; };
   patches.creased_anywhere_ = std::ranges::any_of(patches.traits_, creased);
   patches.coarse_creases_anywhere_ =
@@ -178,8 +183,20 @@ SurfacePatches SurfacePatches::Comparison::patches_of(const Surface& surface, co
   return patches;
 }
 
-SurfacePatches compared_patches(const Surface& surface, const RadiusField& radius, double clamp, ThreadPool& pool) {
-  return SurfacePatches::Comparison::patches_of(surface, radius, clamp, pool);
+SurfacePatches compared_patches(const Surface& surface, const RadiusField& radius, double clamp, ThreadPool& pool,
+                                const Tell& tell) {
+  return SurfacePatches::Comparison::patches_of(surface, radius, clamp, pool, tell);
+}
+
+PatchTimes times_of_patches(const Surface& surface, const RadiusField& radius) {
+  double patches = 0;
+  const auto squares = [&](uint32_t v) { return 1 / (kPatchSize * kPatchSize * radius.at(v) * radius.at(v)); };
+  if (!radius.varies()) patches = surface.area() * squares(0);
+  for (uint32_t f = 0; radius.varies() && f < surface.face_count(); ++f) {
+    for (const uint32_t v : surface.face(f)) patches += surface.face_area(f) / 3 * squares(v);
+  }
+  const auto faces = static_cast<double>(surface.face_count());
+  return {kCuttingFace * faces + kCuttingPatch * patches, kComparingPatch * patches};
 }
 
 }  // namespace meander

@@ -3,6 +3,7 @@
 // Cuts a surface into patches, and compares these with one another.
 #pragma once
 
+#include "base/tell.h"
 #include "base/thread_pool.h"
 #include "geodesic/surface_patches.h"
 
@@ -12,6 +13,13 @@ namespace meander {
 ///
 /// `radius`  r, which may vary: patches are then smaller where it is
 /// `clamp`   the radius of the largest balls that will be asked for, in the local r
-SurfacePatches compared_patches(const Surface& surface, const RadiusField& radius, double clamp, ThreadPool& pool);
+SurfacePatches compared_patches(const Surface& surface, const RadiusField& radius, double clamp, ThreadPool& pool,
+                                const Tell& tell = {});
+
+/// What that takes, about.
+struct PatchTimes {
+  double cutting = 0, comparing = 0;  ///< microseconds of a processor
+};
+PatchTimes times_of_patches(const Surface& surface, const RadiusField& radius);
 
 }  // namespace meander

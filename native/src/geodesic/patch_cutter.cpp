@@ -25,14 +25,14 @@ struct SurfacePatches::Cutter::Seams {
   std::vector<HalfEdge> crease_edges;
 };
 
-void SurfacePatches::Cutter::cut(ThreadPool& pool) {
+void SurfacePatches::Cutter::cut(ThreadPool& pool, const Tell& tell) {
   const CancelToken poll = pool.poll(1);
-  lay_out_cells(pool);
+  lay_out_cells(pool, part_of(tell, 0, kCellsLaidOut));
   DisjointSets sets(cells_.size());
   join_in_grids(sets);
-  join_across_edges(sets, pool);
+  join_across_edges(sets, pool, part_of(tell, kCellsLaidOut, kCellsJoined));
   poll.now();
-  join_slivers(sets);
+  join_slivers(sets, part_of(tell, kCellsJoined, kSliversJoined));
   poll.now();
   number(sets);
   list_beside(pool);
@@ -77,7 +77,7 @@ std::pair<uint32_t, double> SurfacePatches::Cutter::longest_side(uint32_t f) con
   return longest;
 }
 
-void SurfacePatches::Cutter::lay_out_cells(ThreadPool& pool) {
+void SurfacePatches::Cutter::lay_out_cells(ThreadPool& pool, const Tell& tell) {
   const size_t faces = s_.face_count();
   std::vector<uint8_t> large(faces);
   pool.for_each(faces, kFacesGrain, [&](uint32_t f) {
@@ -95,7 +95,9 @@ void SurfacePatches::Cutter::lay_out_cells(ThreadPool& pool) {
   cells_.resize(cells);
   // A face may be as large as the surface.
   constexpr size_t kFaces = 16;
+  CountedPieces told(tell, faces);
   pool.for_each(faces, kFaces, [&](uint32_t f) {
+    if (f % kFaces == 0) told.add(kFaces);
     if (large[f]) {
       lay_grid(f);
       return;
@@ -172,11 +174,13 @@ void SurfacePatches::Cutter::join_in_grids(DisjointSets& sets) {
   }
 }
 
-void SurfacePatches::Cutter::join_across_edges(DisjointSets& sets, ThreadPool& pool) {
+void SurfacePatches::Cutter::join_across_edges(DisjointSets& sets, ThreadPool& pool, const Tell& tell) {
   const size_t count = 3 * s_.face_count();
   std::vector<Seams> seams(ThreadPool::block_count(count, kFacesGrain));
+  CountedPieces told(tell, count);
   pool.for_blocks(count, kFacesGrain, [&](size_t block, size_t begin, size_t end) {
     for (auto e = static_cast<HalfEdge>(begin); e < end; ++e) look_across(e, seams[block]);
+    told.add(end - begin);
   });
   for (const Seams& each : seams) {
     for (const auto& [a, b] : each.joined) sets.join(a, b);
@@ -220,7 +224,7 @@ void SurfacePatches::Cutter::sample_crease(HalfEdge e) {
 
 /// Voxels cut off corners: a small patch joins one beside it that is not large. The fewer there are, the fewer are
 /// compared.
-void SurfacePatches::Cutter::join_slivers(DisjointSets& sets) {
+void SurfacePatches::Cutter::join_slivers(DisjointSets& sets, const Tell& tell) {
   std::vector<double> areas(cells_.size(), 0);
   std::vector<Eigen::AlignedBox3d> boxes(cells_.size());
   for (uint32_t cell = 0; cell < cells_.size(); ++cell) {
@@ -228,6 +232,7 @@ void SurfacePatches::Cutter::join_slivers(DisjointSets& sets) {
     areas[sets.find(cell)] += cells_[cell].area;
     boxes[sets.find(cell)].extend(cells_[cell].middle);
   }
+  if (tell) tell(0.5);
   for (const auto& [a, b] : beside_) {
     const uint32_t p = sets.find(a), q = sets.find(b);
     const double size = size_at(level_at(cells_[a].face)), least = std::min(areas[p], areas[q]);
@@ -239,6 +244,7 @@ void SurfacePatches::Cutter::join_slivers(DisjointSets& sets) {
     areas[sets.find(p)] = both;
     boxes[sets.find(p)] = box;
   }
+  if (tell) tell(1);
 }
 
 /// Numbers the patches in the order of their first cells.

@@ -10,6 +10,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/large_pages.h"
+#include "base/tell.h"
 #include "geodesic/constants.h"
 #include "geodesic/surface_patches.h"
 
@@ -30,7 +31,7 @@ class SurfacePatches::Cutter {
   std::vector<Vec3> creases;                    // points on them, kCreaseStep apart
 
   /// Fills what is above, and the faces, cells and traits of the patches. Once.
-  void cut(ThreadPool& pool);
+  void cut(ThreadPool& pool, const Tell& tell);
 
  private:
   struct Cell {
@@ -47,17 +48,17 @@ class SurfacePatches::Cutter {
   bool gridded(uint32_t f) const { return (patches_.patch_of_face_[f] & kGridded) != 0; }
   uint32_t cell_at(uint32_t f, Vec2 p) const;
   std::pair<uint32_t, double> longest_side(uint32_t f) const;
-  void lay_out_cells(ThreadPool& pool);
+  void lay_out_cells(ThreadPool& pool, const Tell& tell);
   Grid grid_of(uint32_t f, uint32_t first) const;
   void lay_grid(uint32_t f);
   void meet(DisjointSets& sets, uint32_t a, uint32_t b);
   void join_empty(DisjointSets& sets, const Grid& g);
   void join_in_grids(DisjointSets& sets);
   struct Seams;
-  void join_across_edges(DisjointSets& sets, ThreadPool& pool);
+  void join_across_edges(DisjointSets& sets, ThreadPool& pool, const Tell& tell);
   void look_across(HalfEdge e, Seams& seams) const;
   void sample_crease(HalfEdge e);
-  void join_slivers(DisjointSets& sets);
+  void join_slivers(DisjointSets& sets, const Tell& tell);
   void number(DisjointSets& sets);
   void list_beside(ThreadPool& pool);
   void add_up();

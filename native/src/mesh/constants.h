@@ -233,9 +233,34 @@ inline constexpr int kHeatSteps = 1;               // steps; >= 1; free
 inline constexpr int kCoarsestSteps = 6;           // steps; >= 1; free
 inline constexpr double kJacobiDamping = 2.0 / 3;  // share of a step; 0 to 1; geometry
 
-/// What of the time of a surface has passed when its mesh is checked, and when its faces are connected; on a torus of
-/// 3,000,000 faces, two threads.
-inline constexpr double kMeshChecked = 0.25;       // share of the time; 0 to 1; above
-inline constexpr double kFacesConnected = 0.5;     // share of the time; kMeshChecked to 1; above
+/// What of the time of a surface has passed when its mesh is checked, and when its faces are connected; of the first,
+/// when areas, the sides of edges and the fans around vertices have been checked. Balls of 2,000,000 faces, two
+/// threads.
+inline constexpr double kMeshChecked = 0.55;       // share of the time; 0 to 1; above
+inline constexpr double kFacesConnected = 0.62;    // share of the time; kMeshChecked to 1; above
+inline constexpr double kAreasChecked = 0.2;       // share of the time; 0 to 1; above
+inline constexpr double kSidesPaired = 0.65;       // share of the time; kAreasChecked to 1; above
+inline constexpr double kFansChecked = 0.85;       // share of the time; kSidesPaired to 1; above
+
+/// What mending takes, in microseconds of a processor: for each face to find doubled polygons, and all else, and to
+/// close seams for each edge of the boundary. Of the first, when its places, edges, patches, their outlines and which
+/// of them are alike are known. A ball of 1,000,000 faces with a doubled one, with a seam, and with no common vertex.
+inline constexpr double kFindingDoubles = 1.45;    // us; > 0; above
+inline constexpr double kMendingFaces = 0.25;      // us; > 0; above
+inline constexpr double kWeldingEdges = 1.25;      // us; > 0; above
+inline constexpr double kDoublePlaces = 0.2;       // share of the time; 0 to 1; above
+inline constexpr double kDoubleEdges = 0.26;       // share of the time; kDoublePlaces to 1; above
+inline constexpr double kDoublePatches = 0.6;      // share of the time; kDoubleEdges to 1; above
+inline constexpr double kDoubleOutlines = 0.77;    // share of the time; kDoublePatches to 1; above
+inline constexpr double kDoubleCopies = 0.92;      // share of the time; kDoubleOutlines to 1; above
+
+/// The same of what smooths a rough surface: when its vertices are where they go, and when their faces are laid out; of
+/// the first, when its equations stand, and when the multigrid does, and how many iterations it takes about. Balls of
+/// 1,000,000 and 2,000,000 faces, two threads.
+inline constexpr double kPositionsSmoothed = 0.6;  // share of the time; 0 to 1; above
+inline constexpr double kSmoothedLaidOut = 0.82;   // share of the time; kPositionsSmoothed to 1; above
+inline constexpr double kHeatEquated = 0.4;        // share of the time; 0 to 1; above
+inline constexpr double kHeatGridMade = 0.55;      // share of the time; kHeatEquated to 1; above
+inline constexpr double kUsualHeatIterations = 4;  // iterations; >= 1; above
 
 }  // namespace meander

@@ -29,12 +29,20 @@ class DoubleSearch {
         place_(shared_places(positions_, soup.used(), kOnePlace * soup.diagonal(), kDoublesCell, poll_)),
         patch_(faces_.size()) {}
 
-  DoubledPolygons find() {
+  DoubledPolygons find(const Tell& tell) {
+    const auto passed = [&](double share) {
+      if (tell) tell(share);
+    };
+    passed(kDoublePlaces);
     find_edges();
+    passed(kDoubleEdges);
     join_patches();
     sort_by_patch();
+    passed(kDoublePatches);
     find_outlines();
+    passed(kDoubleOutlines);
     find_copies();
+    passed(kDoubleCopies);
     for (const Rule rule : {Rule::kAll, Rule::kWoundAlike}) leave_out(rule);
     return gone();
   }
@@ -364,12 +372,12 @@ DoubledPolygons DoubleSearch::gone() {
 
 }  // namespace
 
-DoubledPolygons find_doubled_polygons(Soup& soup, std::span<const uint32_t> polygons) {
-  return DoubleSearch(soup, polygons).find();
+DoubledPolygons find_doubled_polygons(Soup& soup, std::span<const uint32_t> polygons, const Tell& tell) {
+  return DoubleSearch(soup, polygons).find(tell);
 }
 
-void drop_doubled_polygons(Soup& soup, std::span<const uint32_t> polygons, PrepareCounts& counts) {
-  const DoubledPolygons doubled = find_doubled_polygons(soup, polygons);
+void drop_doubled_polygons(Soup& soup, std::span<const uint32_t> polygons, PrepareCounts& counts, const Tell& tell) {
+  const DoubledPolygons doubled = find_doubled_polygons(soup, polygons, tell);
   const uint32_t dropped = soup.leave_out(doubled.faces);
   counts.dropped_faces += dropped;
   counts.doubled_faces += dropped;

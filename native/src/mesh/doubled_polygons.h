@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/tell.h"
 #include "mesh/soup.h"
 #include "mesh/surface.h"
 
@@ -34,7 +35,7 @@ struct DoubledPolygons {
 /// are wound alike are left out nevertheless.
 ///
 /// polygons   the polygon of each of the caller's faces, any numbers; empty: none is known
-DoubledPolygons find_doubled_polygons(Soup& soup, std::span<const uint32_t> polygons);
+DoubledPolygons find_doubled_polygons(Soup& soup, std::span<const uint32_t> polygons, const Tell& tell = {});
 
 /// Whether a surface may have some; false in little time for nearly all that have none.
 bool may_have_doubled_polygons(const Surface& surface, std::span<const uint32_t> polygons, const CancelToken& cancel);

@@ -147,7 +147,7 @@ Three ratio(const Three& a, const Three& b) {
 }
 
 /// Conjugate gradients for the three coordinates side by side, from x on.
-void solve(Multigrid& grid, const Points& b, Points& x, ThreadPool& pool) {
+void solve(Multigrid& grid, const Points& b, Points& x, ThreadPool& pool, const Tell& tell) {
   const size_t n = x.size();
   Points r(n), z(n), p(n), q(n);
   grid.for_all(n, [&](uint32_t i) { r[i] = b[i] - grid.system().row(i, x); });
@@ -163,6 +163,7 @@ void solve(Multigrid& grid, const Points& b, Points& x, ThreadPool& pool) {
       r[i].array() -= alpha * q[i].array();
     });
     if ((dot(r, r, pool) <= kHeatResidual * kHeatResidual * first).all()) return;
+    if (tell) tell((k + 1) / (k + kUsualHeatIterations));
     grid.precondition(r, z);
     const Three next = dot(r, z, pool);
     const Three beta = ratio(next, rz);
@@ -235,13 +236,18 @@ Equations equations(const Surface& surface, const VertexData<double>& width, Can
 
 }  // namespace
 
-VertexData<Vec3> smoothed_positions(const Surface& surface, const VertexData<double>& width, ThreadPool& pool) {
+VertexData<Vec3> smoothed_positions(const Surface& surface, const VertexData<double>& width, ThreadPool& pool,
+                                    const Tell& tell) {
   VertexData<Vec3> positions(surface.vertex_count(), Vec3::Zero());
   for (uint32_t v = 0; v < positions.size(); ++v) positions[v] = surface.position(v);
-  Equations e = equations(surface, width, pool.poll(1u << 16));
+  constexpr uint32_t kPieces = 1u << 16;
+  TellingPoll equating(pool.poll(1), kPieces, 7 * surface.face_count(), part_of(tell, 0, kHeatEquated));
+  Equations e = equations(surface, width, equating.token());
   if (e.vertex.empty()) return positions;
   Multigrid grid(std::move(e.system), pool);
-  solve(grid, e.b, e.x, pool);
+  if (tell) tell(kHeatGridMade);
+  solve(grid, e.b, e.x, pool, part_of(tell, kHeatGridMade, 1));
+  if (tell) tell(1);
   for (size_t i = 0; i < e.vertex.size(); ++i) positions[e.vertex[i]] = e.x[i];
   return positions;
 }

@@ -3,6 +3,7 @@
 // One implicit step of the heat flow: vertices move to an average of the surface around them.
 #pragma once
 
+#include "base/tell.h"
 #include "base/thread_pool.h"
 #include "mesh/surface.h"
 #include "mesh/vertex_data.h"
@@ -20,6 +21,7 @@ namespace meander {
 /// the width is in edges.
 ///
 /// `width`  of the Gaussian (sigma) at every vertex, at least 0, in the surface's own unit
-VertexData<Vec3> smoothed_positions(const Surface& surface, const VertexData<double>& width, ThreadPool& pool);
+VertexData<Vec3> smoothed_positions(const Surface& surface, const VertexData<double>& width, ThreadPool& pool,
+                                    const Tell& tell = {});
 
 }  // namespace meander

@@ -307,8 +307,11 @@ Placement check_placement(std::span<const double> vertices, const Table<Triangle
 }
 
 CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces, ThreadPool& pool,
-                       const MeshMap* map) {
+                       const MeshMap* map, const Tell& tell) {
   const Names names{map};
+  const auto passed = [&](double share) {
+    if (tell) tell(share);
+  };
   check_numbers(vertices, faces);
   check_corners(faces, names);
   CheckedMesh mesh;
@@ -318,8 +321,11 @@ CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_
   }
   mesh.placement = measure(vertices, mesh.faces, mesh.used_vertices);
   check_areas(vertices, mesh.faces, mesh.placement, names, pool);
+  passed(kAreasChecked);
   mesh.twin = pair_sides(mesh.faces, vertices.size() / 3, names, pool);
+  passed(kSidesPaired);
   check_vertices(mesh, vertices.size() / 3, names, pool);
+  passed(kFansChecked);
   number_components(mesh, pool);
   orient(mesh, names, pool);
   flip(mesh);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/large_pages.h"
+#include "base/tell.h"
 #include "mesh/edge_groups.h"
 
 namespace meander {
@@ -48,7 +49,7 @@ void check_numbers(std::span<const double> vertices, std::span<const uint32_t> f
 /// first element that cannot be used; see meander_surface_create for the list. For a prepared mesh it names
 /// the caller's elements, which `map` knows.
 CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces, ThreadPool& pool,
-                       const MeshMap* map = nullptr);
+                       const MeshMap* map = nullptr, const Tell& tell = {});
 
 /// Checks only what depends on the positions of the vertices, numbers and areas, for `faces` that have been
 /// checked before. Throws as check_mesh does.

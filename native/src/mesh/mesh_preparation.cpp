@@ -5,11 +5,13 @@
 #include <cmath>
 
 #include "base/failure.h"
+#include "mesh/constants.h"
 
 namespace meander {
 
 PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint32_t> faces,
-                          const PrepareSettings& settings, const CancelToken& cancel) {
+                          const PrepareSettings& settings, const CancelToken& cancel, const Tell& tell,
+                          size_t open_edges) {
   PreparedMesh mesh;
   PrepareCounts& counts = mesh.counts;
   cancel.now();
@@ -30,12 +32,18 @@ PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint
   }
   soup.measure();  // what a mask leaves is the mesh from here on
   if (settings.merge_distance > 0) merge_vertices(soup, settings.merge_distance, counts);
-  if (settings.drop_doubled) drop_doubled_polygons(soup, settings.polygons, counts);
+  const double whole = time_of_preparation(faces.size() / 3, open_edges);
+  const double doubles = kFindingDoubles * static_cast<double>(faces.size() / 3) / whole;
+  const double seams = kWeldingEdges * static_cast<double>(open_edges) / whole;
+  if (settings.drop_doubled) drop_doubled_polygons(soup, settings.polygons, counts, part_of(tell, 0, doubles));
   drop_degenerate();
+  if (tell) tell((1 + doubles - seams) / 2);
   if (settings.weld_distance > 0) {
     const bool split = split_edges(soup, settings.weld_distance, counts);
+    if (tell) tell((1 + doubles) / 2);
     if (weld_seams(soup, settings.weld_distance, counts) || split) drop_degenerate();
   }
+  if (tell) tell((1 + doubles + seams) / 2);
   if (!std::isfinite(soup.diagonal() * soup.diagonal())) {
     refuse_empty("The mesh is too large to measure; scale it down.");
   }
@@ -56,8 +64,14 @@ PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint
     split_vertices(soup, settings.split_bow_ties, settings.cut_non_manifold, counts);
   }
   if (settings.smallest_part > 0) drop_small_parts(soup, settings.smallest_part, counts);
+  if (tell) tell(1);
   std::move(soup).write(mesh.vertices, mesh.faces, mesh.map);
   return mesh;
+}
+
+double time_of_preparation(size_t faces, size_t open_edges) {
+  return (kFindingDoubles + kMendingFaces) * static_cast<double>(faces) +
+         kWeldingEdges * static_cast<double>(open_edges);
 }
 
 }  // namespace meander

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/cancel_token.h"
+#include "base/tell.h"
 #include "mesh/mesh_map.h"
 #include "mesh/repairs.h"
 
@@ -59,7 +60,13 @@ struct PreparedMesh {
 ///
 /// cancel      asked before every step and now and then within the long ones; throws
 ///             Failure(FailureKind::kCancelled) where it stops them
+/// tell        is told how far it is
+/// open_edges  of the boundary, about
 PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint32_t> faces,
-                          const PrepareSettings& settings, const CancelToken& cancel = {});
+                          const PrepareSettings& settings, const CancelToken& cancel = {}, const Tell& tell = {},
+                          size_t open_edges = 0);
+
+/// How long that takes, about, in microseconds of a processor.
+double time_of_preparation(size_t faces, size_t open_edges);
 
 }  // namespace meander

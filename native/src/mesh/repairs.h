@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "base/tell.h"
 #include "mesh/soup.h"
 
 namespace meander {
@@ -36,7 +37,8 @@ void clip(Soup& soup, std::span<const double> values, double threshold, PrepareC
 // doubled_polygons.cpp: two-sided faces, and copies in the same place
 
 /// See find_doubled_polygons.
-void drop_doubled_polygons(Soup& soup, std::span<const uint32_t> polygons, PrepareCounts& counts);
+void drop_doubled_polygons(Soup& soup, std::span<const uint32_t> polygons, PrepareCounts& counts,
+                           const Tell& tell = {});
 
 // ------------------------------------------------------------------------------------------------
 // near_vertices.cpp: vertices that are meant to be one

@@ -49,7 +49,7 @@ Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> fac
                  const CancelToken& cancel, const Tell& tell)
     : caller_(vertices.begin(), vertices.end()) {
   ThreadPool pool = ThreadPool(faces.size() / 3 > kMeshGrain ? threads : 1).with(cancel);
-  CheckedMesh mesh = check_mesh(vertices, faces, pool);
+  CheckedMesh mesh = check_mesh(vertices, faces, pool, nullptr, part_of(tell, 0, kMeshChecked));
   if (tell) tell(kMeshChecked);
   faces_ = std::move(mesh.faces);
   flipped_ = std::move(mesh.flipped);

@@ -74,11 +74,13 @@ double mean_over(const Surface& surface, const VertexData<double>& values) {
 }  // namespace
 
 SurfaceAtScale at_scale(std::shared_ptr<const Surface> given, const RadiusField& radius, double followed,
-                        ThreadPool& pool) {
+                        ThreadPool& pool, const Tell& looks, const Tell& smooths) {
   SurfaceAtScale result{given, {}, {}};
   if (followed >= 1) return result;
   const CancelToken poll = pool.poll(kVerticesPerPoll);
-  const VertexData<double> rough = roughness(*given, radius, kSmoothRoughness, poll);
+  const size_t n = given->vertex_count(), faces = given->face_count();
+  TellingPoll looking(poll, kVerticesPerPoll, 2 * faces + 3 * n, looks);
+  const VertexData<double> rough = roughness(*given, radius, kSmoothRoughness, looking.token());
   if (rough.empty()) return result;
   VertexData<double> width(rough.size(), 0);  // in r
   for (uint32_t v = 0; v < width.size(); ++v) {
@@ -88,14 +90,16 @@ SurfaceAtScale at_scale(std::shared_ptr<const Surface> given, const RadiusField&
   result.roughness.mean = mean_over(*given, rough);
   result.roughness.smoothing = mean_over(*given, width);
   for (uint32_t v = 0; v < width.size(); ++v) width[v] *= radius.at(v);
-  VertexData<Vec3> positions = smoothed_positions(*given, width, pool);
+  VertexData<Vec3> positions = smoothed_positions(*given, width, pool, part_of(smooths, 0, kPositionsSmoothed));
   for (uint32_t v = 0; v < positions.size(); ++v) {
     positions[v] = width[v] > 0 ? Surface::on_grid(positions[v]) : given->position(v);
   }
   keep_areas(*given, positions, poll);
   result.surface = std::make_shared<const Surface>(given->with_positions(std::move(positions), pool));
   result.roughness.stretch = std::sqrt(given->area() / result.surface->area());
-  result.shrinkage = shrinkage_between(*given, *result.surface, radius, poll);
+  if (smooths) smooths(kSmoothedLaidOut);
+  TellingPoll measuring(poll, kVerticesPerPoll, faces + 2 * n, part_of(smooths, kSmoothedLaidOut, 1));
+  result.shrinkage = shrinkage_between(*given, *result.surface, radius, measuring.token());
   return result;
 }
 

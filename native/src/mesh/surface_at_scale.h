@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "base/tell.h"
 #include "base/thread_pool.h"
 #include "mesh/radius_field.h"
 #include "mesh/surface.h"
@@ -38,7 +39,9 @@ struct SurfaceAtScale {
 ///
 /// `radius`    r on the surface
 /// `followed`  how much of the roughness the spacing is to follow, in [0, 1]: at 1 nothing is smoothed
+/// `looks`     is told how far it is seen whether the surface is rough
+/// `smooths`   where it is, how far it is smoothed
 SurfaceAtScale at_scale(std::shared_ptr<const Surface> surface, const RadiusField& radius, double followed,
-                        ThreadPool& pool);
+                        ThreadPool& pool, const Tell& looks = {}, const Tell& smooths = {});
 
 }  // namespace meander
