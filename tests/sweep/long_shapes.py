@@ -110,8 +110,10 @@ def spiral(length: float, width: float, pieces: int) -> Mesh:
 
 
 def zigzag(length: float, width: float, pieces: int) -> Mesh:
-    """Eight legs, each turned by 120 degrees against the one before it."""
-    per_leg, legs = max(pieces // 8, 1), 8
+    """Legs, each turned by 120 degrees against the one before it: eight of them, or fewer where
+    these would be shorter than they are wide, and lie on one another."""
+    legs = next(n for n in (8, 4, 2, 1) if length >= n * width or n == 1)
+    per_leg = max(pieces // legs, 1)
     corners = np.zeros((legs + 1, 3))
     corners[:, 0] = np.arange(legs + 1) * length / legs / 2
     corners[1::2, 1] = length / legs * np.sqrt(3) / 2
@@ -124,13 +126,14 @@ def zigzag(length: float, width: float, pieces: int) -> Mesh:
 
 
 def ring(length: float, width: float, pieces: int, turns: int = 0) -> Mesh:
-    """`length` is that of its middle line; turned about that so many times."""
+    """`length` is that of its middle line, unless it has no room for a hole then; turned about that
+    so many times."""
     n = max(pieces, 12)
     angles = np.linspace(0, 2 * np.pi, n, endpoint=False)
     out = np.stack([np.cos(angles), np.sin(angles), 0 * angles], 1)
     up = np.array([0.0, 0.0, 1.0])
     side = np.cos(turns * angles)[:, None] * out + np.sin(turns * angles)[:, None] * up
-    middle = length / (2 * np.pi) * out
+    middle = max(length / (2 * np.pi), 0.75 * width) * out
     return band(middle + width / 2 * side, middle - width / 2 * side, closed=True)
 
 

@@ -3,10 +3,16 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
+from geometry import Mesh
 from long_shapes import SHAPES, area_of, square
 from long_surfaces import fill, is_wrong, stroke_at_the_end
 from meander import core
+
+
+def faces_of(mesh: Mesh) -> np.ndarray:
+    return mesh.vertices[mesh.faces]
 
 
 @pytest.mark.parametrize(
@@ -23,6 +29,16 @@ def test_a_strip_below_a_spacing_takes_the_work_of_a_square(
     assert not is_wrong(row)
     like = fill(square(area_of(mesh), pieces), None, "nothing", 0)
     assert row["node_iterations"] < 1.5 * like["node_iterations"]
+
+
+@pytest.mark.parametrize("name", ["strip", "ring", "spiral", "zigzag", "needle", "comb", "star"])
+def test_what_is_flat_lies_nowhere_on_itself(name: str) -> None:
+    """A zigzag of 10 x 4 had eight legs of 1.25, and .15 of its area turned over."""
+    for length in (10, 50):
+        for width in (0.8, 1.2, 2, 3, 4, 8):
+            a, b, c = np.moveaxis(faces_of(SHAPES[name](length, width, 24)), 1, 0)
+            upward = np.cross(b - a, c - a)[:, 2]
+            assert (upward > 0).all() or (upward < 0).all()
 
 
 @pytest.mark.parametrize("pieces", [20, 200])
