@@ -161,7 +161,8 @@ inline constexpr double kWidthOfStem = 8;             // r; > kTwoAlongStrips; f
 inline constexpr double kAcrossBoundary = 0.1;        // r; > 0; free
 inline constexpr double kTooThin = 0.4;               // r; > 0; free
 
-/// Where lines may begin: places in large faces lie no farther apart than kPlacesInFace, in at most so many rows.
+/// Where lines may begin: places in large faces lie no farther apart than kPlacesInFace, in at most so many rows, and
+/// as many in each; see start_places.h.
 /// Around one that is too near to something all others are, as far as by kCrowdedAround of what it is too near. Places
 /// are looked at ahead of the lines that begin there, the more, the longer none has begun.
 inline constexpr double kPlacesInFace = 2;            // r; > 0; free

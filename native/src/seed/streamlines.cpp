@@ -2,7 +2,6 @@
 #include "seed/streamlines.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -14,6 +13,7 @@
 #include "seed/constants.h"
 #include "seed/field_steps.h"
 #include "seed/line_crowding.h"
+#include "seed/start_places.h"
 
 namespace meander {
 namespace {
@@ -109,7 +109,7 @@ class Drawer {
     for (uint32_t k = 0, f = first; k < faces;) {
       places_.clear();
       for (; k < faces && places_.size() < ahead; ++k, f = static_cast<uint32_t>((uint64_t{f} + stride) % faces)) {
-        for_places(f, [&](const SurfacePoint& p) {
+        for_places_in_face(s_, f, radius_.at(s_, make_point(f, 1, 1, 1)), [&](const SurfacePoint& p) {
           places_.push_back({{p, Vec3::Zero(), kNone, kNone, 0, 0}, kUnknown});
         });
       }
@@ -189,21 +189,6 @@ class Drawer {
       if (left_.is_full(network_.nodes()[lines_[k].nodes[0]].point)) continue;
       offer_beside(lines_[k], apart);
       draw_beside();
-    }
-  }
-
-  template <class Visit>
-  void for_places(uint32_t f, const Visit& visit) const {
-    double longest = 0;
-    for (uint32_t k = 0; k < 3; ++k) longest = std::max(longest, norm(s_.along(3 * f + k)));
-    const double r = radius_.at(s_, make_point(f, 1, 1, 1));
-    const auto rows =
-        static_cast<uint32_t>(std::clamp(std::ceil(longest / (kPlacesInFace * r)), 1.0, double{kMostRowsOfPlaces}));
-    for (uint32_t i = 0; i < rows; ++i) {
-      for (uint32_t j = 0; i + j < rows; ++j) {
-        const double x = (i + 1.0 / 3) / rows, y = (j + 1.0 / 3) / rows;
-        visit(make_point(f, 1 - x - y, x, y));
-      }
     }
   }
 
