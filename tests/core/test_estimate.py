@@ -233,8 +233,8 @@ def test_what_a_mask_leaves_out_is_no_part_of_the_extent():
 
 
 # Runs of the batch command from a full start, on tori like those of docs/performance.md, on two
-# threads, and a rough ball on one: faces, length of edges over area, curvature, spacing; processor seconds, and bytes of the
-# process.
+# threads, and on a rough ball, on one: faces, length of edges over area, curvature, spacing;
+# processor seconds, and bytes of the process.
 MANY_FACES = [
     (100_110, 191.7, 4.1, 0.08, 2.0, 135e6),
     (1_000_386, 606.0, 16.9, 0.04, 9.3, 730e6),

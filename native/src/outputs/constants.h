@@ -177,7 +177,8 @@ inline constexpr double kMostRadians = 0.25;        // radians; > 0; above
 /// for a smooth field of lines and their phase on all faces. Tori and spheres of 100,000 to 10,000,000 faces.
 inline constexpr double kSecondsPerFace = 2.75e-6;  // processor seconds; > 0; above
 inline constexpr double kLayingPerFace = 3.85e-6;   // processor seconds; > 0; above
-/// And where the surface is smoothed, as it is with more curvature than kSmoothedFrom: then there are two of it.
+/// And where the surface is smoothed, as it is with more curvature than kSmoothedFrom: then there are two of it. Balls
+/// of 100,000 to 3,000,000 faces with noise of .03 to .3 edges.
 inline constexpr double kSmoothingPerFace = 1e-6;   // processor seconds; > 0; above
 inline constexpr double kSmoothedFrom = 0.6;        // radians of a disc of radius r; > 0; above
 
