@@ -41,12 +41,25 @@ double alone_share(const Curve& curve, const NodeData<Radii>& radii, const NodeD
   return alone / free_nodes(curve, pool);
 }
 
-double balanced_share(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric, ThreadPool& pool) {
-  const auto is_slack = [&](size_t k) {
+namespace {
+
+/// A node sees something on both sides, but nothing nearer than kSlack r.
+auto is_slack_on(const NodeData<Radii>& radii, const LocalMetric& metric) {
+  return [&radii, &metric](size_t k) {
     const auto i = static_cast<uint32_t>(k);
     const double least = std::min(radii[i][0], radii[i][1]);
     return least >= kSlack * metric.radius[i] && least < kClamped * metric.max_radius[i];
   };
+}
+
+}  // namespace
+
+double slack_share(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric, ThreadPool& pool) {
+  return sum_over_free(curve, pool, is_slack_on(radii, metric)) / free_nodes(curve, pool);
+}
+
+double balanced_share(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric, ThreadPool& pool) {
+  const auto is_slack = is_slack_on(radii, metric);
   if (pool.first(curve.size(), kNodeGrain, is_slack) == curve.size()) return 0;
   double balanced = 0;
   for (const Strand& strand : curve.strands) {

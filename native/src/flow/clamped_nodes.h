@@ -22,8 +22,11 @@ double clamped_share(const Curve& curve, const NodeData<Radii>& radii, const Loc
 double alone_share(const Curve& curve, const NodeData<Radii>& radii, const NodeData<Reach>& reach,
                    const LocalMetric& metric, ThreadPool& pool);
 
+/// Of the nodes that may move, the share that sees something on both sides, but nothing nearer than kSlack r.
+double slack_share(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric, ThreadPool& pool);
+
 /// Of the nodes that grow, the share that lies in balance: on stretches as long as a wave of perturb_empty_stretches
-/// all of whose nodes see something on both sides, but nothing nearer than kSlack r.
+/// all of whose nodes are slack.
 double balanced_share(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric, ThreadPool& pool);
 
 /// Where both sides of a strand are empty its radii are alike and nothing pulls it anywhere; a wide smooth loop then

@@ -259,9 +259,10 @@ inline constexpr double kFarGrain = 0.7;                    // r; > 0; free
 inline constexpr double kMostlyLaid = 2;                    // times; > 1; "The rest is laid"
 
 /// Straight strands side by side lie in balance, and none bends, where each is as far from what is beside it, but
-/// farther than kSlack, for a kPerturbationWavelength or more. Where any do when growth would end, they are pushed to
-/// one and the other side in turn.
+/// farther than kSlack, for a kPerturbationWavelength or more. Where any do when growth would end, or strands too short
+/// for that have more than kMostSlack of the nodes there, they are pushed to one and the other side in turn.
 inline constexpr double kSlack = 1.5;                       // r; > 1; "Strands in balance"
+inline constexpr double kMostSlack = 0.03;                  // share of the nodes; 0 to 1; "Strands in balance"
 
 /// A way back is laid where more than kMostAlone of the nodes lie alone in strips with room for one, which are wider
 /// than kWidestAlone: an open strand may lie in the middle of one for ever.

@@ -132,7 +132,7 @@ void Convergence::note_growth(const IterationFigures& figures, bool rests) {
   } else if (rests && far && figures.far_share < tried_.far_before - kLessFar) {
     tried_.far_before = figures.far_share;
     begin(Phase::kLayingRest);
-  } else if (rests && !tried_.loosened && figures.balanced_share > 0) {
+  } else if (rests && !tried_.loosened && (figures.balanced_share > 0 || figures.slack_share > kMostSlack)) {
     tried_.loosened = true;
     begin(Phase::kLoosening);
   } else if (rests && lasting_.polish_wanted && !is_held()) {

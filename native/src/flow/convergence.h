@@ -22,6 +22,7 @@ struct IterationFigures {
   double displacement_norm = 0;  ///< |d|_2 / n of the displacements, in r (the paper's rule)
   double far_share = 0;          ///< of the area, what is far from the curve; only where asks_what_is_far()
   double alone_share = 0;        ///< of the nodes, those that lie_alone
+  double slack_share = 0;        ///< of the nodes, those with room on both sides (slack_share)
   double balanced_share = 0;     ///< of the nodes, those that lie in balance (balanced_share)
   double correction = 1;         ///< of r, for the next iteration; see Domain
   bool laid = false;             ///< the iteration laid something; see Iteration::lay

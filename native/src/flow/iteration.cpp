@@ -114,6 +114,7 @@ void Iteration::solve() {
   figures_.displacement_norm = std::sqrt(squares) / count / before().settings.radius;
   figures_.clamped_share = clamped_share(curve, work_.medial.radii, metric, pool_);
   figures_.alone_share = alone_share(curve, work_.medial.radii, work_.medial.reach, metric, pool_);
+  figures_.slack_share = slack_share(curve, work_.medial.radii, metric, pool_);
   figures_.balanced_share = balanced_share(curve, work_.medial.radii, metric, pool_);
   figures_.correction = next_correction(plan_, before(), work_.medial.radii);
   figures_.wanted = mean_over_movable(curve, pool_, [&](uint32_t i) { return norm(d[i]) / metric.radius[i]; });
