@@ -450,6 +450,32 @@ TEST(Convergence, OfWhatIsMostlyLaid) {
   }
 }
 
+/// Where nothing can turn all that growth would do is to run on: it ends when nothing is far, and what is far is laid
+/// for as long as it becomes less, without a wait between.
+TEST(Convergence, OfWhatIsTooNarrowToTurn) {
+  FlowSettings settings = with_polish();
+  settings.hairpin_removal_iterations = kHairpinRemoval;
+  for (const bool laid : {true, false}) {
+    Noting n(true);
+    n.convergence = Convergence(settings, Beginning::kNarrow);
+    IterationFigures figures;
+    figures.length = 1;
+    figures.wanted = figures.moved = 1;
+    figures.laid = laid;
+    std::vector<Phase> phases;
+    for (const double far : {0.1, 0.05, 0.0497, 0.0}) {
+      EXPECT_EQ(n.convergence.asks_what_is_far(figures, 10), laid && grows_in(n.convergence.phase()));
+      figures.far_share = laid ? far : 0;
+      n.convergence.note(n.surface, n.curve, n.metric, figures, n.pool);
+      figures.laid = false;
+      phases.push_back(n.convergence.phase());
+    }
+    const std::vector<Phase> expected = {Phase::kLayingRest, Phase::kLayingRest, Phase::kPolishing, Phase::kPolishing};
+    EXPECT_EQ(phases == expected, laid);
+    EXPECT_EQ(phases == std::vector<Phase>(4, Phase::kGrowing), !laid);
+  }
+}
+
 /// What lies in balance when growth would end is pushed first, once, however little it is.
 TEST(Convergence, OfWhatLiesInBalance) {
   for (const double share : {0.0, 1e-4, 0.1}) {

@@ -25,6 +25,7 @@ Convergence::Convergence(const FlowSettings& settings, Beginning beginning)
                   polish_iterations(settings, false)) {
   lasting_.full_polish_iterations = polish_iterations(settings, true);
   if (beginning == Beginning::kNarrow) {
+    lasting_.narrow = settings.polish;
     lasting_.full_polish_iterations = std::min(lasting_.full_polish_iterations, kNarrowPolishIterations);
   }
   if (beginning != Beginning::kGrown) phase_ = Phase::kStarting;
@@ -84,6 +85,7 @@ void Convergence::begin(Phase phase) {
 
 bool Convergence::asks_what_is_far(const IterationFigures& figures, double side) const {
   if (!grows_in(phase_) || lasting_.rule == StopRule::kPaper) return false;
+  if (only_runs_on(figures)) return true;
   if (is_stuck(figures) && (!tried_.rest_laid || idle_ + 1 >= kIdleIterations)) return true;
   if (lasting_.polish_wanted) {
     if (has_grown(lengths_.change_in(kGrowthWindow, figures.length), figures.clamped_share)) return true;
@@ -184,7 +186,7 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
     case Phase::kGrowing:
     case Phase::kLoosening:
     case Phase::kLayingRest:
-      note_growth(figures, is_held() || (lasting_.polish_wanted ? grown : settled));
+      note_growth(figures, is_held() || only_runs_on(figures) || (lasting_.polish_wanted ? grown : settled));
       break;
     case Phase::kHairpinRemoval:
       if (++lasting_.removed_for >= lasting_.hairpin_removal_iterations) begin(Phase::kPolishing);

@@ -114,6 +114,7 @@ class Convergence {
     uint32_t hairpin_removal_iterations, polish_iterations;
     uint32_t full_polish_iterations = 0;  // where it begins full
     bool began_full = false;
+    bool narrow = false;   // it begins on strips too narrow to turn in
     bool fitting = false;  // the polish is followed by the last iterations
     double change = 0;     // of r since the curve grew; see revised()
     uint32_t removed_for = 0, polished = 0;  // iterations that have passed of these phases
@@ -131,6 +132,11 @@ class Convergence {
   void begin(Phase phase);
   void begin_full() noexcept;
   bool awaits_rest() const;
+  /// Where nothing can turn, all that growth would do beside what was laid is to run on, and what it would reach is
+  /// what is far.
+  bool only_runs_on(const IterationFigures& figures) const {
+    return lasting_.narrow && (lasting_.began_full || figures.laid);
+  }
   static bool is_stuck(const IterationFigures& figures);
   bool is_held() const;
   void note_idleness(const IterationFigures& figures);
