@@ -126,6 +126,12 @@ inline constexpr double kInsideOfFace = 1e-3;       // share of the height; > kO
 
 /// Nearest places of corners of a map that are farther apart than this belong to other turns.
 inline constexpr double kOtherTurn = 0.25;          // of the farthest distance; > 0; free
+/// The straight way to the line counts up to this angle from the plane of the face, and from kRaisedMore more on, where
+/// it leads through the air or the solid, what its corners know does.
+inline constexpr double kStraightUpTo = 0.3;        // sine; 0 to 1; geometry
+inline constexpr double kRaisedMore = 0.2;          // sine; > 0; geometry
+/// Only a way is looked at for that whose square is less than this share of the square of what its corners know.
+inline constexpr double kStraightWay = 0.97;        // share of it; 0 to 1; free
 
 /// 17 significant digits are enough to read the same double again.
 inline constexpr uint32_t kMostDigits = 17;         // digits; >= 1; geometry

@@ -149,10 +149,12 @@ double LineDistance::wrapped(double along, const CutMesh::LineStrand& strand) co
   return along < strand.length ? along : along - strand.length;
 }
 
-NearestOnLine LineDistance::beside(NearestOnLine other, const Vec3& x, uint32_t origin, double step) const {
-  other.distance += step;
-  straighten(other, x, origin);
-  return other;
+NearestOnLine LineDistance::beside(HalfEdge corner, const Vec3& x) const {
+  NearestOnLine n = in_face(corner);
+  const double straight = std::sqrt(foot(n, place(corner)).squared), bending = straight > 0 ? n.distance / straight : 1;
+  n.distance = std::min(n.distance + (x - place(corner)).norm(), std::sqrt(foot(n, x).squared) * bending);
+  straighten(n, x, mesh_.origin(mesh_.face(corner)));
+  return n;
 }
 
 void LineDistance::follow(const std::vector<NearestOnLine>& more, CancelToken& poll) {
@@ -166,40 +168,44 @@ bool LineDistance::flat_from(uint32_t piece, const Vec3& normal) const {
   return normal.dot(mesh_.surface().face_normal(piece_face_[piece])) >= kFlatNormals;
 }
 
-/// Goes along the line to where it is nearest to x, and measures the straight distance from there.
-void LineDistance::straighten(NearestOnLine& nearest, const Vec3& x, uint32_t origin) const {
-  const CutMesh::LineStrand& s = mesh_.strands()[nearest.strand];
-  struct Foot {
-    uint32_t from, to;
-    double share, squared;
-  };
-  const auto foot = [&](uint32_t from) {
+/// Goes along the line from a place of it to where it is nearest to x.
+LineDistance::Foot LineDistance::foot(const NearestOnLine& around, const Vec3& x) const {
+  const auto on = [&](uint32_t from) {
     const uint32_t to = mesh_.next_point(from);
     const Vec3 a = mesh_.position(mesh_.line_vertex(from)), u = mesh_.position(mesh_.line_vertex(to)) - a;
     const double share = std::clamp((x - a).dot(u) / u.squaredNorm(), 0.0, 1.0);
     return Foot{from, to, share, (a + share * u - x).squaredNorm()};
   };
-  Foot best = foot(mesh_.point_before(nearest.strand, nearest.along));
+  Foot best = on(mesh_.point_before(around.strand, around.along));
   for (const bool forwards : {true, false}) {
-    for (uint32_t step = 0; step < s.count; ++step) {
+    for (uint32_t step = 0; step < mesh_.strands()[around.strand].count; ++step) {
       const uint32_t from = forwards ? best.to : mesh_.previous_point(best.from);
       if (from == kNone || mesh_.next_point(from) == kNone) break;
-      const Foot next = foot(from);
+      const Foot next = on(from);
       if (!(next.squared < best.squared)) break;
       best = next;
     }
   }
+  return best;
+}
+
+/// Measures the straight distance from the nearest place of the line, where the surface hardly bends on the way there:
+/// its normals at both ends are alike, and the way rises from it by no more than on an arc that turns so much.
+void LineDistance::straighten(NearestOnLine& nearest, const Vec3& x, uint32_t origin) const {
+  const Foot best = foot(nearest, x);
   const Vec3& normal = mesh_.surface().face_normal(origin);
   bool flat = flat_from(best.from, normal);
   if (best.share == 0) flat = flat || flat_from(mesh_.previous_point(best.from), normal);
   if (best.share == 1) flat = flat || flat_from(best.to, normal);
-  if (!flat) {
+  const Vec3& from = mesh_.position(mesh_.line_vertex(best.from));
+  const Vec3& to = mesh_.position(mesh_.line_vertex(best.to));
+  const double rise = (x - from - best.share * (to - from)).dot(normal);
+  if (!flat || 2 * rise * rise > (1 - kFlatNormals) * best.squared) {
     nearest.distance = std::max(nearest.distance, std::sqrt(best.squared));
     return;
   }
-  const Vec3& from = mesh_.position(mesh_.line_vertex(best.from));
-  const double length = (mesh_.position(mesh_.line_vertex(best.to)) - from).norm();
-  nearest.along = wrapped(mesh_.arc_length(best.from) + best.share * length, s);
+  const double along = mesh_.arc_length(best.from) + best.share * (to - from).norm();
+  nearest.along = wrapped(along, mesh_.strands()[nearest.strand]);
   nearest.distance = std::sqrt(best.squared);
 }
 

@@ -32,9 +32,9 @@ class LineDistance {
   NearestOnLine in_face(HalfEdge corner) const;
   /// How much farther along the line the second place is; the shorter way round closed strands.
   double between(const NearestOnLine& from, const NearestOnLine& to) const;
-  /// The nearest place of a point `x` in a part of face `origin` of the surface, if that place is close to the one of
-  /// another point `step` away.
-  NearestOnLine beside(NearestOnLine other, const Vec3& x, uint32_t origin, double step) const;
+  /// The nearest place of a point `x` of a face, if that place is close to the one of a corner of that face: the way
+  /// there is longer than the straight one by the share that it is from the corner.
+  NearestOnLine beside(HalfEdge corner, const Vec3& x) const;
   /// `along` within the strand, once round where it is closed.
   double wrapped(double along, const CutMesh::LineStrand& strand) const;
 
@@ -52,6 +52,12 @@ class LineDistance {
   NearestOnLine across(HalfEdge a, HalfEdge b, HalfEdge c) const;
   NearestOnLine by_edge(HalfEdge a, HalfEdge c) const;
   bool flat_from(uint32_t piece, const Vec3& normal) const;
+  /// A place on the line between two points of it, next to each other, and the square of how far it is.
+  struct Foot {
+    uint32_t from, to;
+    double share, squared;
+  };
+  Foot foot(const NearestOnLine& around, const Vec3& x) const;
   void straighten(NearestOnLine& nearest, const Vec3& x, uint32_t origin) const;
   const Vec3& place(HalfEdge corner) const { return mesh_.position(mesh_.from(corner)); }
 

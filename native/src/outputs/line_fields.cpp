@@ -49,8 +49,7 @@ void LineFields::find_places(const LineDistance& distance, CancelToken& poll) {
       const HalfEdge c = corners[k];
       NearestOnLine here = distance.in_face(c);
       if (c != chosen && !distance.one_sheet(chosen, c)) {
-        const Vec3 from = mesh_.position(mesh_.from(chosen)), x = mesh_.position(mesh_.from(c));
-        here = distance.beside(n, x, mesh_.origin(f), (x - from).norm());
+        here = distance.beside(chosen, mesh_.position(mesh_.from(c)));
       }
       line.along[k] = n.along + distance.between(n, here);
       line.distance[k] = here.distance;

@@ -16,10 +16,12 @@ namespace {
 
 using Vec3 = Eigen::Vector3d;
 
-/// A place on the curve, by the number of its strand.
+/// A place on the curve, by the number of its strand, as a corner of a face has it: the third part of its number is
+/// that face's.
 struct Hint {
   uint32_t strand;
   double along;
+  size_t corner;
 };
 
 /// All that is asked of a face, side by side. On the inside of a bend nearest places are farther apart than what they
@@ -48,7 +50,7 @@ class TurnsAtVertices {
     for (size_t corner = 0; corner < cut.faces.size(); ++corner) {
       poll();
       const uint32_t v = cut.faces[corner], s = cut.strands[corner / 3];
-      const Hint hint{s, cut.along[corner]};
+      const Hint hint{s, cut.along[corner], corner};
       if (s == kNone || !line.has(s) || has(v, hint)) continue;
       hints_[end_[v] + used_[v]++] = hint;
     }
@@ -91,18 +93,40 @@ class Measuring {
     Found found;
     found.distance = cut_.farthest;
     if (!line_.has(face.strand)) return found;
-    const Hint own{face.strand, between(face.along, w)};
-    take(own, point, found);
+    const double even = between(face.from_turn, w), chords = between(face.to_line, w);
+    const double bending = chords > 0 ? even / chords : 1;
+    double squared = std::numeric_limits<double>::infinity();
+    const auto take = [&](uint32_t strand, double along, double longer) {
+      const LineByLength::Foot foot = line_.foot(strand, along, point);
+      const double there = foot.squared * longer * longer;
+      if (!(there < squared)) return;
+      squared = there;
+      found.foot = foot;
+      found.strand = strand;
+    };
+    take(face.strand, between(face.along, w), bending);
     if (face.inside_bend) {
-      for (const double along : face.along) take({face.strand, along}, point, found);
+      for (const double along : face.along) take(face.strand, along, bending);
     }
-    const double straight = between(face.from_turn, w), chords = between(face.to_line, w);
-    const double bending = chords > 0 ? straight / chords : 1;
+    if (found.foot.squared < kStraightWay * even * even) {
+      const Vec3 normal = (face.places[1] - face.places[0]).cross(face.places[2] - face.places[0]);
+      const double length = std::sqrt(found.foot.squared);
+      const double rise = std::abs((point - found.foot.place).dot(normal)) / normal.norm();
+      if (rise > kStraightUpTo * length) {
+        const double raised = std::min((rise / length - kStraightUpTo) / kRaisedMore, 1.0);
+        const double distance = length * bending + raised * (even - length * bending);
+        squared = distance * distance;
+      }
+    }
     if (!face.alone) {
-      for_others(f, face, [&](const Hint& other) { take(other, point, found); });
+      for_others(f, face, [&](const Hint& other) {
+        const FaceOfMap& there = known_[other.corner / 3];
+        const double way = there.from_turn[other.corner % 3], chord = there.to_line[other.corner % 3];
+        take(other.strand, other.along, way > chord && chord > 0 ? way / chord : 1);
+      });
     }
     found.way = point - found.foot.place;
-    found.distance = std::min(std::sqrt(found.foot.squared) * bending, cut_.farthest);
+    found.distance = std::min(std::sqrt(squared), cut_.farthest);
     return found;
   }
 
@@ -132,17 +156,10 @@ class Measuring {
   void for_others(size_t f, const FaceOfMap& face, const Visit& visit) const {
     for (size_t k = 0; k < 3; ++k) {
       for (const Hint& other : turns_.at(cut_.faces[3 * f + k])) {
-        if (!turns_.same_turn(other, {face.strand, face.along[k]})) visit(other);
+        if (!turns_.same_turn(other, {face.strand, face.along[k], 3 * f + k})) visit(other);
       }
     }
   }
-  void take(const Hint& hint, const Vec3& point, Found& found) const {
-    const LineByLength::Foot foot = line_.foot(hint.strand, hint.along, point);
-    if (found.strand != kNone && !(foot.squared < found.foot.squared)) return;
-    found.foot = foot;
-    found.strand = hint.strand;
-  }
-
   const MapOfCut& cut_;
   LineByLength line_;
   TurnsAtVertices turns_;

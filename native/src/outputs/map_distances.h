@@ -25,7 +25,8 @@ struct PlacesOfMap {
 /// faces there are cut. Of the face -1 all is 0.
 ///
 /// The distance is the straight one from there, in proportion to the corners' own distances where the surface bends on
-/// the way.
+/// the way, and where that leads far out of the plane of the face, what lies between these. Another turn's is in the
+/// proportion that it has at the corner: the border is where ways along the surface are equally long.
 void measure_places(const MapOfCut& cut, std::span<const int32_t> faces, std::span<const float> weights,
                     const PlacesOfMap& found, ThreadPool& pool);
 

@@ -64,9 +64,8 @@ class MiddleLines {
     if (from.strand == kNone || to.strand == kNone) return;
     const uint32_t origin = mesh_.origin(mesh_.face(h));
     const Vec3 a = mesh_.position(mesh_.from(h)), u = mesh_.position(mesh_.to(h)) - a;
-    const double length = u.norm();
-    const auto near_from = [&](double t) { return distance_.beside(from, a + t * u, origin, t * length); };
-    const auto near_to = [&](double t) { return distance_.beside(to, a + t * u, origin, (1 - t) * length); };
+    const auto near_from = [&](double t) { return distance_.beside(h, a + t * u); };
+    const auto near_to = [&](double t) { return distance_.beside(other, a + t * u); };
     double low = 0, high = 1;
     if (!(near_from(low).distance < near_to(low).distance && near_to(high).distance < near_from(high).distance)) {
       return;  // there is no ridge between them
@@ -114,8 +113,7 @@ class MiddleLines {
     const Vec3 x = mesh_.position(centre);
     NearestOnLine nearest;
     for (const HalfEdge h : corners) {
-      const double step = (x - mesh_.position(mesh_.from(h))).norm();
-      const NearestOnLine here = distance_.beside(distance_.in_face(h), x, origin, step);
+      const NearestOnLine here = distance_.beside(h, x);
       if (here.distance < nearest.distance) nearest = here;
     }
     more_.push_back(nearest);
