@@ -20,6 +20,8 @@ CancelToken ThreadPool::poll(uint32_t pieces) const { return cancel_.every(piece
 
 unsigned ThreadPool::size() const { return 1; }
 
+bool ThreadPool::in_worker() const { return false; }
+
 void ThreadPool::for_blocks(size_t count, size_t grain,
                             const std::function<void(size_t, size_t, size_t)>& body) {
   for (size_t block = 0; block < block_count(count, grain); ++block) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
-#include <thread>
 #include <utility>
 
 #include "base/cancel_token.h"
@@ -42,22 +41,22 @@ class ToldInTurn {
   double at_ = 0;
 };
 
-/// Tells of a loop by the pieces of it that are done. Any thread counts them; the one that makes this tells, so that
-/// what it tells never falls.
+/// Tells of a loop by the pieces of it that are done. Any thread counts them; only one tells, so that what it tells
+/// never falls.
 class CountedPieces {
  public:
   CountedPieces(Tell tell, size_t count) : tell_(std::move(tell)), count_(static_cast<double>(count)) {}
 
-  void add(size_t pieces) {
+  /// `tells`  this is the thread that tells
+  void add(size_t pieces, bool tells = true) {
     const size_t done = done_ += pieces;
-    if (tell_ && std::this_thread::get_id() == teller_) tell_(std::min(1.0, static_cast<double>(done) / count_));
+    if (tell_ && tells) tell_(std::min(1.0, static_cast<double>(done) / count_));
   }
 
  private:
   Tell tell_;
   double count_;
   std::atomic<size_t> done_ = 0;
-  std::thread::id teller_ = std::this_thread::get_id();
 };
 
 /// A question whether to stop that also tells, each time that it is asked, how much is done of loops whose pieces are

@@ -87,10 +87,12 @@ ThreadPool ThreadPool::with(const CancelToken& cancel) const {
 }
 
 CancelToken ThreadPool::poll(uint32_t pieces) const {
-  return crew_->has_as_worker(std::this_thread::get_id()) ? CancelToken() : cancel_.every(pieces);
+  return in_worker() ? CancelToken() : cancel_.every(pieces);
 }
 
 unsigned ThreadPool::size() const { return crew_->size(); }
+
+bool ThreadPool::in_worker() const { return crew_->has_as_worker(std::this_thread::get_id()); }
 
 void ThreadPool::for_blocks(size_t count, size_t grain,
                             const std::function<void(size_t, size_t, size_t)>& body) {

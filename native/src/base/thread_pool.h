@@ -41,6 +41,9 @@ class ThreadPool {
 
   unsigned size() const;
 
+  /// Whether the calling thread is one of the pool, but not that of its caller.
+  bool in_worker() const;
+
   /// Calls body(begin, end) for consecutive blocks of [0, count). Blocks depend on `count` and
   /// `grain` only, never on the number of threads, so a body that writes per index, or per block,
   /// gives the same bytes for any pool. An exception of a body is thrown again here, and so is a cancel.

@@ -40,7 +40,7 @@ class SurfacePatches::Comparison {
       scratch.search.begin(n);
       for (auto p = static_cast<uint32_t>(begin); p < end; ++p) compare(p, scratch, hidden[p]);
       spare.give_back(std::move(scratch));
-      told.add(end - begin);
+      told.add(end - begin, !pool.in_worker());
     });
     patches_.hidden_in_.resize(n);
     for (uint32_t p = 0; p < n; ++p) add_hidden(p, hidden[p]);

@@ -97,7 +97,7 @@ void SurfacePatches::Cutter::lay_out_cells(ThreadPool& pool, const Tell& tell) {
   constexpr size_t kFaces = 16;
   CountedPieces told(tell, faces);
   pool.for_each(faces, kFaces, [&](uint32_t f) {
-    if (f % kFaces == 0) told.add(kFaces);
+    if (f % kFaces == 0) told.add(kFaces, !pool.in_worker());
     if (large[f]) {
       lay_grid(f);
       return;
@@ -180,7 +180,7 @@ void SurfacePatches::Cutter::join_across_edges(DisjointSets& sets, ThreadPool& p
   CountedPieces told(tell, count);
   pool.for_blocks(count, kFacesGrain, [&](size_t block, size_t begin, size_t end) {
     for (auto e = static_cast<HalfEdge>(begin); e < end; ++e) look_across(e, seams[block]);
-    told.add(end - begin);
+    told.add(end - begin, !pool.in_worker());
   });
   for (const Seams& each : seams) {
     for (const auto& [a, b] : each.joined) sets.join(a, b);
