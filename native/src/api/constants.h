@@ -35,7 +35,7 @@ inline constexpr double kFarAway = 16;               // diagonals; > 1; free
 /// are done then: such a share of what else may have to be done is counted on.
 inline constexpr double kMakingSurface = 0.42;       // us; > 0; above
 inline constexpr double kSeekingDoubles = 0.28;      // us; > 0; above
-inline constexpr size_t kPiecesOfSeeking = 22;     // a face; >= 1; above
+inline constexpr size_t kPiecesOfSeeking = 22;       // a face; >= 1; above
 inline constexpr double kMendedSurfaces = 0.03;      // share of surfaces; 0 to 1; free
 
 }  // namespace meander

@@ -10,6 +10,18 @@
 #include "flow/free_nodes.h"
 
 namespace meander {
+namespace {
+
+/// A node sees something on both sides, but nothing nearer than kSlack r.
+auto is_slack_on(const NodeData<Radii>& radii, const LocalMetric& metric) {
+  return [&radii, &metric](size_t k) {
+    const auto i = static_cast<uint32_t>(k);
+    const double least = std::min(radii[i][0], radii[i][1]);
+    return least >= kSlack * metric.radius[i] && least < kClamped * metric.max_radius[i];
+  };
+}
+
+}  // namespace
 
 bool has_room(const NodeData<Radii>& radii, const LocalMetric& metric, uint32_t node, double room) {
   const double least = std::min(kClamped * metric.max_radius[node], room * metric.radius[node]);
@@ -40,19 +52,6 @@ double alone_share(const Curve& curve, const NodeData<Radii>& radii, const NodeD
   });
   return alone / free_nodes(curve, pool);
 }
-
-namespace {
-
-/// A node sees something on both sides, but nothing nearer than kSlack r.
-auto is_slack_on(const NodeData<Radii>& radii, const LocalMetric& metric) {
-  return [&radii, &metric](size_t k) {
-    const auto i = static_cast<uint32_t>(k);
-    const double least = std::min(radii[i][0], radii[i][1]);
-    return least >= kSlack * metric.radius[i] && least < kClamped * metric.max_radius[i];
-  };
-}
-
-}  // namespace
 
 double slack_share(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric, ThreadPool& pool) {
   return sum_over_free(curve, pool, is_slack_on(radii, metric)) / free_nodes(curve, pool);
